@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <tuple>
 #include <utility>
 
 #include "generator/comparison.hpp"
@@ -33,22 +32,21 @@ struct Size {
 
 Size size_of(const scene::Scene& scene, const Reductions& base) {
   const symbolic::Mechanism mechanism = symbolic::mechanism(scene, base);
-  Size size{mechanism.size()};
-  for (int j = 1; j <= mechanism.size(); ++j) {
-    size.has_balls |= mechanism.link(j).turning == symbolic::Link::Turning::ball && mechanism.link(j).lower > 0;
+  Size size{mechanism.size(), 0, mechanism.has_balls()};
+  for (int j = 1; j <= mechanism.size(); ++j)
     for (int k = j; k > 0; k = mechanism.link(k).lower) ++size.pairs;
-  }
   return size;
 }
+
+bool may_be_composite(const Size& size) { return size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links); }
 
 // The function whose cost decides on the way of a requested one: accelerations where it has a part in it, else what it
 // is derived from, else itself.
 std::string deciding(const scene::Scene& scene, const std::string& name) {
   std::string result;
   for (const std::string& part : parts(name)) {
-    std::string of = part;
-    for (const lower::Derived& derived : lower::derived_functions(scene))
-      if (derived.name == part) of = derived.by.front() == "ydot" ? "mass_matrix" : derived.of;
+    const std::optional<lower::Derived> derived = lower::derived_function(scene, part);
+    const std::string of = !derived ? part : derived->by.front() == "ydot" ? "mass_matrix" : derived->of;
     if (result.empty() || of == "accelerations") result = of;
   }
   return result;
@@ -103,9 +101,8 @@ std::string choice_of(const Comparison& comparison, const std::string& name) {
 
 bool is_derived(const scene::Scene& scene, const std::string& name) {
   const std::vector<std::string> of = parts(name);
-  const std::vector<lower::Derived> derived = lower::derived_functions(scene);
-  return std::any_of(derived.begin(), derived.end(),
-                     [&of](const lower::Derived& d) { return std::find(of.begin(), of.end(), d.name) != of.end(); });
+  return std::any_of(of.begin(), of.end(),
+                     [&](const std::string& part) { return lower::derived_function(scene, part).has_value(); });
 }
 
 std::string words(symbolic::Derivatives derivatives) {
@@ -118,8 +115,7 @@ Chosen cheapest_derivative(const scene::Scene& scene, const std::string& name, W
   comparison.add(way);
   way.derivatives = symbolic::Derivatives::equations;
   comparison.add(way);
-  const bool may_be_composite = size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links);
-  if (way.algorithm == Algorithm::articulated && may_be_composite) {
+  if (way.algorithm == Algorithm::articulated && may_be_composite(size)) {
     way.algorithm = Algorithm::composite;
     comparison.add(way);
   }
@@ -178,7 +174,7 @@ std::vector<Chosen> choose_ways(const scene::Scene& scene, const std::vector<std
     if (depends_on_way(decides)) insert(others, decides);
   }
   std::vector<Algorithm> algorithms = {Algorithm::articulated};
-  if (size.pairs <= std::max(most_pairs, most_pairs_a_link * size.links)) algorithms.push_back(Algorithm::composite);
+  if (may_be_composite(size)) algorithms.push_back(Algorithm::composite);
   if (algorithm) algorithms = {*algorithm};
   Comparison of_solved(scene, for_solved, solved), of_others(scene, all, others);
   add_all(of_solved, algorithms, size, for_solved);

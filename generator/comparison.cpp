@@ -9,6 +9,7 @@
 #include "generator/requests.hpp"
 #include "generator/rounding.hpp"
 #include "generator/states.hpp"
+#include "runtime/base/median.hpp"
 
 namespace kanec {
 namespace {
@@ -33,12 +34,6 @@ std::vector<program::Arguments<double>> typical_arguments(const scene::Scene& sc
     list.push_back({scene::default_parameters(scene), at.x, at.y, at.ydot, inputs, at.t});
   }
   return list;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

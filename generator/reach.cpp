@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "generator/lower/derivatives.hpp"
 #include "generator/program/ledger.hpp"
@@ -30,14 +31,18 @@ double speeds(const scene::Joint& joint) {
   return static_cast<double>(free) + (joint.ball && !joint.held ? 3 : 0);
 }
 
-// The matrix itself, or a derivative that is it or needs it.
-bool has_mass_matrix(const scene::Scene& scene, const std::string& name) {
+bool has_mass_matrix(const std::string& name) {
   const std::vector<std::string> of = parts(name);
-  const auto is_part = [&of](const std::string& part) { return std::find(of.begin(), of.end(), part) != of.end(); };
-  const std::vector<lower::Derived> derived = lower::derived_functions(scene);
-  return is_part("mass_matrix") || std::any_of(derived.begin(), derived.end(), [&](const lower::Derived& d) {
-           return is_part(d.name) && (d.of == "accelerations" || d.by.front() == "ydot");
-         });
+  return std::find(of.begin(), of.end(), "mass_matrix") != of.end();
+}
+
+// A derivative that the matrix is a step to.
+bool needs_mass_matrix(const scene::Scene& scene, const std::string& name) {
+  const std::vector<std::string> of = parts(name);
+  return std::any_of(of.begin(), of.end(), [&](const std::string& part) {
+    const std::optional<lower::Derived> derived = lower::derived_function(scene, part);
+    return derived && (derived->of == "accelerations" || derived->by.front() == "ydot");
+  });
 }
 
 }  // namespace
@@ -67,17 +72,19 @@ Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& na
   Reach reach{names, {}};
   const long operations = mass_matrix_operations(scene);
   if (operations <= much) return reach;
-  std::erase_if(reach.names, [&](const std::string& name) { return !are_named && has_mass_matrix(scene, name); });
+  std::erase_if(reach.names, [&](const std::string& name) { return !are_named && has_mass_matrix(name); });
   if (reach.names.size() < names.size())
     reach.notes.push_back("mass_matrix is left out: it would take " + some(operations) +
                           "; with --functions mass_matrix it is made");
   for (const std::string& name : reach.names) {
-    if (!has_mass_matrix(scene, name)) continue;
+    const bool has = has_mass_matrix(name);
+    if (!has && !needs_mass_matrix(scene, name)) continue;
     if (operations > most)
-      throw InputError("function " + name + ": found " + some(operations) +
-                       " for the mass matrix of this scene; allowed: at most " + counted(most) +
+      throw InputError("function " + name + ": found " + some(operations) + " for the mass matrix of this scene" +
+                       (has ? "" : ", which it needs") + "; allowed: at most " + counted(most) +
                        " (residual and accelerations do without the matrix)");
-    reach.notes.push_back(name + " takes " + some(operations) + ": minutes to compile");
+    reach.notes.push_back(name + (has ? " takes " : " needs the mass matrix, which takes ") + some(operations) +
+                          ": minutes to compile");
   }
   return reach;
 }

@@ -2,12 +2,14 @@
 #include "generator/requests.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "generator/lower/derivatives.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/program/combined.hpp"
 #include "generator/program/passes.hpp"
+#include "generator/scene/place.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "generator/symbolic/functions.hpp"
 #include "runtime/base/error.hpp"
@@ -23,10 +25,11 @@ void insert(std::vector<std::string>& list, const std::string& name) {
   if (!contains(list, name)) list.push_back(name);
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+// What a scene that lacks this function is without; empty of a name that no scene has.
+std::string lacking(const std::string& function) {
+  if (function == "power" || function == "load_powers") return "applied loads";
+  if (function == "accelerations_u" || function == "input_matrix") return "inputs";
+  return function == "driving_loads" ? "locked or prescribed coordinates" : "";
 }
 
 // What has to be there before a name can be: its parts, and what they are differentiated from.
@@ -35,14 +38,12 @@ struct Needed {
 };
 
 Needed needed_for(const scene::Scene& scene, const std::vector<std::string>& names, symbolic::Derivatives way) {
-  const std::vector<lower::Derived> derived = lower::derived_functions(scene);
   Needed needed;
   for (const std::string& name : names)
     for (const std::string& part : parts(name)) {
-      const auto found = std::find_if(derived.begin(), derived.end(), [&](const auto& d) { return d.name == part; });
-      if (found != derived.end()) {
+      if (const std::optional<lower::Derived> derived = lower::derived_function(scene, part)) {
         insert(needed.derived, part);
-        for (const std::string& made_of : lower::parts_of(*found, way)) insert(needed.reduced, made_of);
+        for (const std::string& made_of : lower::parts_of(*derived, way)) insert(needed.reduced, made_of);
       } else {
         insert(symbolic::needs_whole_mechanism(part) ? needed.whole : needed.reduced, part);
       }
@@ -54,14 +55,7 @@ void keep(program::Program& program, const std::vector<std::string>& names) {
   std::vector<program::Function> kept;
   for (const std::string& name : names) {
     const std::vector<std::string> of = parts(name);
-    if (of.size() > 1) {
-      kept.push_back(program::combined(program, of));
-      continue;
-    }
-    const auto found =
-        std::find_if(program.functions.begin(), program.functions.end(), [&](const auto& f) { return f.name == name; });
-    if (found == program.functions.end()) throw InternalError("no function " + name + " in the program");
-    kept.push_back(*found);
+    kept.push_back(of.size() > 1 ? program::combined(program, of) : find(program, name));
   }
   program.functions = std::move(kept);
 }
@@ -87,19 +81,31 @@ std::vector<Available> available_functions(const scene::Scene& scene) {
   return result;
 }
 
+std::optional<Fault> fault_of(const std::string& request, const std::vector<Available>& available) {
+  std::vector<std::string> known, before;
+  for (const Available& function : available) known.push_back(function.name);
+  for (const std::string& part : parts(request)) {
+    if (contains(before, part)) return Fault{scene::in_quotes(request), "each part once"};
+    before.push_back(part);
+    if (contains(known, part)) continue;
+    if (const std::string what = lacking(part); !what.empty())
+      return Fault{part + ", which a scene without " + what + " does not have", scene::one_of(known, "")};
+    return Fault{scene::in_quotes(part), scene::one_of(known, part) + "; several joined by + are one"};
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names) {
   const std::vector<Available> available = available_functions(scene);
-  std::vector<std::string> known, result;
-  for (const Available& function : available) known.push_back(function.name);
-  for (const std::string& name : names.empty() ? scene.functions : names) {
-    std::vector<std::string> before;
-    for (const std::string& part : parts(name)) {
-      if (!contains(known, part))
-        throw InputError("no function '" + part + "' in this model; it has: " + listed(known));
-      if (contains(before, part)) throw InputError("function '" + part + "' stands twice in '" + name + "'");
-      before.push_back(part);
+  const std::vector<std::string>& requests = names.empty() ? scene.functions : names;
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (const std::optional<Fault> fault = fault_of(requests[i], available)) {
+      if (names.empty() && i < scene.function_places.size())
+        scene::fail(scene.function_places[i], fault->found, fault->allowed);
+      throw InputError("function: found " + fault->found + "; allowed: " + fault->allowed);
     }
-    insert(result, name);
+    insert(result, requests[i]);
   }
   if (result.empty())
     for (const Available& function : available)

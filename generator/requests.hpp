@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,16 @@ std::vector<Available> available_functions(const scene::Scene& scene);
 // "kinematics+accelerations" in its parts.
 std::vector<std::string> parts(const std::string& name);
 
-// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, with all known
-// names, for one that the scene does not have; each part of a combination counts.
+// What is wrong with a request.
+struct Fault {
+  std::string found, allowed;
+};
+
+// None where all parts of the request are available and different.
+std::optional<Fault> fault_of(const std::string& request, const std::vector<Available>& available);
+
+// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, or SceneError
+// with the place in the scene, for one that the scene does not have; each part of a combination counts.
 std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names);
 
 // Derived and lowered, unsimplified; in one way (candidates.hpp finds the cheapest).

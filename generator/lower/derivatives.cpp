@@ -7,7 +7,6 @@
 #include "generator/lower/directions.hpp"
 #include "generator/lower/implicit.hpp"
 #include "generator/program/derivative.hpp"
-#include "runtime/base/error.hpp"
 
 namespace kanec::lower {
 
@@ -16,16 +15,9 @@ using program::Column;
 using program::Group;
 using program::Program;
 using program::Ref;
-using program::Variable;
 using symbolic::Derivatives;
 
 namespace {
-
-const program::Function& find(const Program& program, const std::string& name) {
-  for (const program::Function& function : program.functions)
-    if (function.name == name) return function;
-  throw InternalError("no function " + name + " to differentiate");
-}
 
 program::Function derivative(Program& program, const scene::Scene& scene, const std::string& of,
                              const std::string& what, Derivatives way) {
@@ -36,11 +28,8 @@ program::Function derivative(Program& program, const scene::Scene& scene, const 
 }
 
 // The upper half of the state matrix: d(δξ)/dt = δy, and of a rotation φ̇ = δω − ω × φ.
-std::vector<Ref> kinematic_rows(Program& program, const scene::Scene& scene) {
-  const scene::Layout layout(scene);
+std::vector<Ref> kinematic_rows(Builder& builder, const scene::Layout& layout) {
   const auto n = static_cast<std::size_t>(layout.ny);
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
   std::vector<Ref> rows(n * 2 * n, builder.constant(0.0));
   for (std::size_t i = 0; i < n; ++i) rows[i * 2 * n + n + i] = builder.constant(1.0);
   for (const scene::BodyLayout& body : layout.bodies)
@@ -52,7 +41,6 @@ std::vector<Ref> kinematic_rows(Program& program, const scene::Scene& scene) {
       at(next) = builder.variable(Group::y, body.omega + last);
       at(last) = -builder.variable(Group::y, body.omega + next);
     }
-  program.nodes = std::move(builder.nodes());
   return rows;
 }
 
@@ -60,7 +48,8 @@ program::Function state_matrix(Program& program, const scene::Scene& scene, Deri
   const auto n = static_cast<std::size_t>(scene::n_speeds(scene));
   program::Function by_xi = derivative(program, scene, "accelerations", "xi", way);
   const program::Function by_y = derivative(program, scene, "accelerations", "y", way);
-  std::vector<Ref> outputs = kinematic_rows(program, scene);
+  std::vector<Ref> outputs =
+      appended(program, [&](Builder& builder) { return kinematic_rows(builder, scene::Layout(scene)); });
   for (std::size_t i = 0; i < n; ++i)
     for (const program::Function* half : {&std::as_const(by_xi), &by_y})
       outputs.insert(outputs.end(), half->outputs.begin() + static_cast<std::ptrdiff_t>(i * n),
@@ -71,10 +60,8 @@ program::Function state_matrix(Program& program, const scene::Scene& scene, Deri
 
 program::Function input_matrix(Program& program, const scene::Scene& scene, Derivatives way) {
   program::Function function = derivative(program, scene, "accelerations", "u", way);
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  function.outputs.insert(function.outputs.begin(), function.outputs.size(), builder.constant(0.0));
-  program.nodes = std::move(builder.nodes());
+  const Ref zero = appended(program, [](Builder& builder) { return builder.constant(0.0); });
+  function.outputs.insert(function.outputs.begin(), function.outputs.size(), zero);
   return function;
 }
 
@@ -87,7 +74,13 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
     return program::Signature{true, true, ydot, true, out, out + " (" + shape + ")", columns};
   };
   std::vector<Derived> list = {
-      {"residual_x", "derivative of r by x; of Euler parameters along their unit sphere", "residual", {"x"}, ny, nx, signature("r_x", true, "ny x nx", nx)},
+      {"residual_x",
+       "derivative of r by x; of Euler parameters along their unit sphere",
+       "residual",
+       {"x"},
+       ny,
+       nx,
+       signature("r_x", true, "ny x nx", nx)},
       {"residual_y", "derivative of r by y", "residual", {"y"}, ny, ny, signature("r_y", true, "ny x ny", ny)},
       {"residual_ydot",
        "derivative of r by ydot",
@@ -149,6 +142,12 @@ std::vector<Derived> derived_functions(const scene::Scene& scene) {
   }
   for (Derived& derived : list) derived.signature.by_inputs = derived.by == std::vector<std::string>{"u"};
   return list;
+}
+
+std::optional<Derived> derived_function(const scene::Scene& scene, const std::string& name) {
+  for (Derived& derived : derived_functions(scene))
+    if (derived.name == name) return std::move(derived);
+  return std::nullopt;
 }
 
 void append_derived(Program& program, const scene::Scene& scene, const Derived& derived, Derivatives way) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Derived {
 
 // Those of a scene, in order.
 std::vector<Derived> derived_functions(const scene::Scene& scene);
+
+// The one of this name, if it is one.
+std::optional<Derived> derived_function(const scene::Scene& scene, const std::string& name);
 
 // The functions that it is made of.
 std::vector<std::string> parts_of(const Derived& derived, symbolic::Derivatives way);

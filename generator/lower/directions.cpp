@@ -69,11 +69,8 @@ class Columns {
 }  // namespace
 
 std::vector<Column> columns_by(Program& program, const scene::Scene& scene, const std::string& by) {
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  std::vector<Column> columns = Columns(builder, scene).by(by, static_cast<int>(scene.inputs.size()));
-  program.nodes = std::move(builder.nodes());
-  return columns;
+  const auto n_inputs = static_cast<int>(scene.inputs.size());
+  return program::appended(program, [&](Builder& builder) { return Columns(builder, scene).by(by, n_inputs); });
 }
 
 }  // namespace kanec::lower

@@ -11,7 +11,6 @@
 #include "generator/program/combined.hpp"
 #include "generator/program/fold.hpp"
 #include "generator/program/substitute.hpp"
-#include "runtime/base/error.hpp"
 
 namespace kanec::lower {
 
@@ -22,22 +21,6 @@ using program::Program;
 using program::Ref;
 
 namespace {
-
-const Function& find(const Program& program, const std::string& name) {
-  for (const Function& function : program.functions)
-    if (function.name == name) return function;
-  throw InternalError("no function " + name + " to make a derivative of");
-}
-
-// Appends to the program's nodes.
-template <class Work>
-auto appended(Program& program, const Work& work) {
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  auto result = work(builder);
-  program.nodes = std::move(builder.nodes());
-  return result;
-}
 
 bool by_position(const std::string& by) { return by == "x" || by == "xi"; }
 
@@ -96,10 +79,11 @@ Function of_residual(Program& program, const scene::Scene& scene, const std::str
   const Function applied = find(program, "applied");
   Function result = program::jacobian(program, applied, directions);
   const std::vector<Ref> inertia = of_inertia(program, layout, by, directions.size());
-  appended(program, [&](Builder& builder) {
+  result.outputs = appended(program, [&](Builder& builder) {
+    std::vector<Ref> sums;
     for (std::size_t i = 0; i < inertia.size(); ++i)
-      result.outputs[i] = program::fold::sum(builder, inertia[i], result.outputs[i]);
-    return 0;
+      sums.push_back(program::fold::sum(builder, inertia[i], result.outputs[i]));
+    return sums;
   });
   for (const std::string& part : parts_for("residual", by))
     program::merge_quantities(result.quantities, find(program, part).quantities, "of_" + part);

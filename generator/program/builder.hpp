@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "generator/program/program.hpp"
@@ -31,5 +32,15 @@ class Builder {
   Index value_of(Ref a);  // a node of this value, sign included
   std::vector<Node> nodes_;
 };
+
+// What `work` returns of a builder that appends to the program's nodes.
+template <class Work>
+auto appended(Program& program, const Work& work) {
+  Builder builder;
+  builder.nodes() = std::move(program.nodes);
+  auto result = work(builder);
+  program.nodes = std::move(builder.nodes());
+  return result;
+}
 
 }  // namespace kanec::program

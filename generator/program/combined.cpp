@@ -6,16 +6,9 @@
 #include <utility>
 
 #include "generator/program/builder.hpp"
-#include "runtime/base/error.hpp"
 
 namespace kanec::program {
 namespace {
-
-const Function& find(const Program& program, const std::string& name) {
-  for (const Function& function : program.functions)
-    if (function.name == name) return function;
-  throw InternalError("combined: no function " + name);
-}
 
 // All outputs in place, zeros between blocks.
 std::vector<Ref> dense(const Function& function, Ref zero) {
@@ -78,10 +71,7 @@ void merge_quantities(std::vector<Quantity>& list, const std::vector<Quantity>& 
 }
 
 Function combined(Program& program, const std::vector<std::string>& names) {
-  Builder builder;
-  builder.nodes() = std::move(program.nodes);
-  const Ref zero = builder.constant(0.0);
-  program.nodes = std::move(builder.nodes());
+  const Ref zero = appended(program, [](Builder& builder) { return builder.constant(0.0); });
   Function result;
   result.signature = {false, false, false, false, "", "", 0, {}};
   Merged quantities(result.quantities);

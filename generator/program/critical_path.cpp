@@ -20,8 +20,6 @@ int latency(const Node& node) {
   return from.count == 2 && !std::holds_alternative<BinaryCall>(node) ? 4 : from.count > 0 ? 60 : 0;
 }
 
-bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node); }
-
 }  // namespace
 
 int critical_path(const Program& program, const Function& function) {

@@ -1,5 +1,5 @@
 // How long a function takes on a processor that can do any number of things at once. Not: time; most take as long as
-// their instructions need places (docs/benchmarks.md).
+// their instructions need places (docs/profile.md).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

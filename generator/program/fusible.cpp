@@ -6,8 +6,6 @@ namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
-bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node); }
-
 }  // namespace
 
 std::vector<bool> fusible_products(const Program& program, const std::vector<Stage>& stages) {

@@ -5,7 +5,7 @@ namespace kanec::program {
 namespace {
 
 void count(const Node& node, Ledger& ledger) {
-  ledger.adds += std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node);
+  ledger.adds += is_sum(node);
   ledger.multiplies += std::holds_alternative<Multiply>(node);
   ledger.divides += std::holds_alternative<Divide>(node);
   ledger.square_roots += std::holds_alternative<SquareRoot>(node);

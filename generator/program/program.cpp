@@ -34,6 +34,8 @@ Operands operands(const Node& node) {
   return std::visit([](const auto& op) { return operands_of(op); }, node);
 }
 
+bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node); }
+
 const char* name(Unary function) {
   constexpr const char* names[] = {"tan", "asin", "acos", "exp", "log", "abs", "tanh"};
   return names[static_cast<std::size_t>(function)];
@@ -48,6 +50,12 @@ std::vector<Result> results(const Function& function) {
   const Signature& signature = function.signature;
   if (!signature.results.empty()) return signature.results;
   return {{function.name, signature.out, function.n_out, signature.layout, signature.columns}};
+}
+
+const Function& find(const Program& program, const std::string& name) {
+  for (const Function& function : program.functions)
+    if (function.name == name) return function;
+  throw InternalError("no function " + name + " in the program");
 }
 
 std::vector<Stage> stages(const Program& program) {

@@ -120,12 +120,18 @@ enum class Stage : std::uint8_t { constant, parameter, state };
 
 std::vector<Stage> stages(const Program& program);
 
+// The function of this name; throws InternalError where there is none.
+const Function& find(const Program& program, const std::string& name);
+
 // The operands of a node.
 struct Operands {
   Index at[3];
   int count;
 };
 Operands operands(const Node& node);
+
+// An addition or a subtraction.
+bool is_sum(const Node& node);
 
 // Nodes that the roots depend on, themselves included.
 std::vector<bool> reachable(const Program& program, const std::vector<Ref>& roots);

@@ -69,10 +69,7 @@ Program rebuilt(const Program& program, const Remake& remake) {
 }
 
 Program joined(Program first, const Program& second) {
-  Builder builder;
-  builder.nodes() = std::move(first.nodes);
-  const std::vector<Ref> to = remade(builder, second, same_again);
-  first.nodes = std::move(builder.nodes());
+  const std::vector<Ref> to = appended(first, [&](Builder& builder) { return remade(builder, second, same_again); });
   for (Function function : second.functions) {
     move_all(to, function);
     first.functions.push_back(std::move(function));

@@ -5,7 +5,6 @@ namespace kanec::program {
 namespace {
 
 bool is_difference(const Node& node) { return std::holds_alternative<Subtract>(node); }
-bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || is_difference(node); }
 bool is_product(const Node& node) { return std::holds_alternative<Multiply>(node) || std::holds_alternative<Divide>(node); }
 
 }  // namespace

@@ -8,8 +8,6 @@ namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
-bool is_sum(const Node& node) { return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node); }
-
 std::vector<bool> partial_sums(const Program& program) {
   const std::vector<Stage> stage = stages(program);
   std::vector<int> uses(program.nodes.size(), 0);

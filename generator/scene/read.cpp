@@ -136,7 +136,9 @@ Scene read_scene(const Table& root) {
   if (const auto node = root.find("gravity")) scene.gravity = symbols.vector(*node);
   scene.lower = read_connection(root);
   read_tree(root, symbols, scene);
-  scene.functions = read_functions(root);
+  AskedFunctions asked = read_functions(root);
+  scene.functions = std::move(asked.names);
+  scene.function_places = std::move(asked.places);
   scene.simulation = read_simulation(root);
   scene.ensemble = read_ensemble(root, scene);
   for (std::string& warning : symbols.warnings()) scene.warnings.push_back(std::move(warning));

@@ -28,21 +28,22 @@ bool is_function(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string> read_functions(const Table& root) {
+AskedFunctions read_functions(const Table& root) {
   const std::optional<Node> node = root.find("functions");
   if (!node) return {};
-  std::vector<std::string> out;
+  AskedFunctions asked;
   const std::vector<Node> list = node->list("a list of names of functions");
   if (list.empty() || list.size() > most_functions)
     node->refuse("at least one name; without the key, the usual functions");
   for (const Node& entry : list) {
     const std::string name = entry.text(rule);
     if (!is_function(name)) entry.refuse(rule);
-    if (std::find(out.begin(), out.end(), name) != out.end())
+    if (std::find(asked.names.begin(), asked.names.end(), name) != asked.names.end())
       fail(entry.place(), in_quotes(name) + " twice", "each function once");
-    out.push_back(name);
+    asked.names.push_back(name);
+    asked.places.push_back(entry.place());
   }
-  return out;
+  return asked;
 }
 
 }  // namespace kanec::scene

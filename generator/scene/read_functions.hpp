@@ -10,6 +10,10 @@
 namespace kanec::scene {
 
 // `functions` of the scene: names, or names joined by +; none where there is no such key. Throws SceneError.
-std::vector<std::string> read_functions(const Table& root);
+struct AskedFunctions {
+  std::vector<std::string> names;
+  std::vector<Place> places;
+};
+AskedFunctions read_functions(const Table& root);
 
 }  // namespace kanec::scene

@@ -12,6 +12,7 @@
 #include "generator/scene/layout.hpp"
 #include "generator/scene/load.hpp"
 #include "generator/scene/number.hpp"
+#include "generator/scene/place.hpp"
 
 namespace kanec::scene {
 
@@ -74,6 +75,7 @@ struct Scene {
   std::vector<Point> points;            // named, for outputs
   std::vector<Expression> expressions;  // of prescribed coordinates and loads
   std::vector<std::string> functions;   // that the scene asks for; empty: the usual ones
+  std::vector<Place> function_places;   // where it does so, of each
   std::vector<Named> parameters;
   std::vector<Named> inputs;
   Simulation simulation;

@@ -31,7 +31,8 @@ Composites::Composites(Derivation& derivation, std::vector<bool> starts_anew)
 }
 
 // m* = m + Σ m*_c, h = h_own + Σ (m*_c d_c + h_c), J = J_own + Σ (J_c − m*_c d̃ d̃ − d̃ h̃_c − h̃_c d̃), where h_c and J_c
-// of links that turn with this one only, in its axes: a ball's ω is its own.
+// of links that turn with this one only, in its axes: a ball's ω is its own. J_c goes in without the name of
+// lower_inertia: as part of the sum two operations fewer.
 void Composites::add(int k) {
   const auto at = static_cast<std::size_t>(k);
   const Inertia& own = derivation_.inertia(k);

@@ -257,6 +257,11 @@ std::vector<int> Mechanism::carried(int at) const {
   return result;
 }
 
+bool Mechanism::has_balls() const {
+  return std::any_of(links.begin(), links.end(),
+                     [](const Link& link) { return link.turning == Link::Turning::ball && link.lower > 0; });
+}
+
 namespace {
 
 std::optional<Axis> constants_of(const scene::Vector& numbers) {

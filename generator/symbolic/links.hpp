@@ -68,6 +68,7 @@ struct Mechanism {
   const BodyPlace& body(int k) const { return bodies[static_cast<std::size_t>(k - 1)]; }
   std::vector<int> children(int link) const;  // links on it, ascending; 0: on the inertial frame
   std::vector<int> carried(int link) const;   // bodies on it, ascending
+  bool has_balls() const;                     // between links, not on the inertial frame
 };
 
 Mechanism mechanism(const scene::Scene& scene, const Reductions& reductions);

@@ -40,18 +40,18 @@ VariationRows::Measure VariationRows::of_motion(int k, const JointMotion& m) {
   Measure result{c.mass * m.slide, -crossed(c.pull, m.slide), v_.lower(k), crossed(c.moment, m.slide),
                  crossed(c.rate, m.slide)};
   if (m.turn.is_zero()) return result;
-  result.Z += skew(m.turn) * c.moment;
-  result.w += c.arms * m.turn;
-  result.X += c.inertia * m.turn;
-  result.Y += v_.derivation.transposed(c.coriolis) * m.turn;
+  result.B += skew(m.turn) * c.moment;
+  result.Kh += c.arms * m.turn;
+  result.K += c.inertia * m.turn;
+  result.Kv += v_.derivation.transposed(c.coriolis) * m.turn;
   return result;
 }
 
 // Nothing but the acceleration of the joint's point counts beyond a ball.
 VariationRows::Measure VariationRows::beyond_ball(int k, const Measure& measure) {
   const Frame home = v_.derivation.home(k);
-  const ex Z = v_.derivation.in_axes(measure.Z, measure.frame, home);
-  return {Z, skew(v_.chain.origin(k)) * Z, home, 0, 0};
+  const ex B = v_.derivation.in_axes(measure.B, measure.frame, home);
+  return {B, skew(v_.chain.origin(k)) * B, home, 0, 0};
 }
 
 VariationRows::Measure VariationRows::at_joint(int k, const Measure& m) {
@@ -59,8 +59,8 @@ VariationRows::Measure VariationRows::at_joint(int k, const Measure& m) {
   if (!link.turns_with_lower) return beyond_ball(k, m);
   const int below = v_.lower(k);
   const ex& E_T = link.to_lower;
-  return {v_.derivation.in_axes(m.Z, m.frame, below), v_.derivation.in_axes(m.w, m.frame, below), below, E_T * m.X,
-          E_T * m.Y};
+  return {v_.derivation.in_axes(m.B, m.frame, below), v_.derivation.in_axes(m.Kh, m.frame, below), below, E_T * m.K,
+          E_T * m.Kv};
 }
 
 // From a joint's point to the lower link's origin.
@@ -68,31 +68,32 @@ VariationRows::Measure VariationRows::shifted(const Coordinate& row, int k, cons
   const int below = v_.lower(k);
   const ex& d = v_.derivation.joint_offsets[static_cast<std::size_t>(k)];
   const Frame frame = v_.derivation.home(below) == below ? below : m.frame;
-  const ex Z = v_.define("B", below, row, v_.derivation.in_axes(m.Z, m.frame, below));
-  return {frame == below ? Z : m.Z, v_.define("Kh", below, row, v_.derivation.in_axes(m.w, m.frame, frame)), frame,
-          v_.define("K", below, row, m.X + skew(d) * Z), v_.define("Kv", below, row, m.Y + skew(v_.joint_rate(k)) * Z)};
+  const ex B = v_.define("B", below, row, v_.derivation.in_axes(m.B, m.frame, below));
+  return {frame == below ? B : m.B, v_.define("Kh", below, row, v_.derivation.in_axes(m.Kh, m.frame, frame)), frame,
+          v_.define("K", below, row, m.K + skew(d) * B),
+          v_.define("Kv", below, row, m.Kv + skew(v_.joint_rate(k)) * B)};
 }
 
 // --- entries of rows: a column of three is written as its transpose
 
 void VariationRows::by_ball(const Coordinate& row, int k, const Measure& m) {
   const Coordinate& column = *v_.rotation(k);
-  if (v_.by == By::y) return v_.place(row, column, m.Y - skew(v_.derivation.letters(k).omega) * m.X, true);
+  if (v_.by == By::y) return v_.place(row, column, m.Kv - skew(v_.derivation.letters(k).omega) * m.K, true);
   const ex origin = v_.derivation.in_axes(v_.chain.origin(k), v_.derivation.home(k), m.frame);
-  v_.place(row, column, v_.derivation.in_axes(factored(m.w - skew(origin) * m.Z), m.frame, k), true);
+  v_.place(row, column, v_.derivation.in_axes(factored(m.Kh - skew(origin) * m.B), m.frame, k), true);
 }
 
 void VariationRows::by_motion(const Coordinate& row, int k, const Coordinate& column, const Measure& measure) {
   const JointMotion m = v_.motion(k, column);
-  const ex Z = v_.derivation.in_axes(measure.Z, measure.frame, v_.lower(k));
+  const ex B = v_.derivation.in_axes(measure.B, measure.frame, v_.lower(k));
   ex value = 0;
   if (v_.by == By::y) {
-    value = along(m.turn, measure.Y) + along(2 * m.turn_rate, measure.X) + along(2 * m.slide_rate, Z);
+    value = along(m.turn, measure.Kv) + along(2 * m.turn_rate, measure.K) + along(2 * m.slide_rate, B);
   } else {
-    const ex w = v_.derivation.in_axes(measure.w, measure.frame, v_.lower(k));
-    const ex turning = m.turn.is_zero() ? ex(0) : sum(expanded(w - skew(v_.at_joint(k).origin) * Z));
-    value = along(m.turn, turning) + along(m.turn_rate, measure.Y) + along(m.turn_acceleration, measure.X) +
-            along(m.slide_acceleration, Z);
+    const ex Kh = v_.derivation.in_axes(measure.Kh, measure.frame, v_.lower(k));
+    const ex turning = m.turn.is_zero() ? ex(0) : sum(expanded(Kh - skew(v_.at_joint(k).origin) * B));
+    value = along(m.turn, turning) + along(m.turn_rate, measure.Kv) + along(m.turn_acceleration, measure.K) +
+            along(m.slide_acceleration, B);
   }
   v_.place(row, column, value, is_wide(column));
 }

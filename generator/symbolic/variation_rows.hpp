@@ -14,12 +14,12 @@ class VariationRows {
   void add(int link, const Coordinate& row);
 
  private:
-  // A row's measure of accelerations of the points that it carries: of φ̈ × ρ + σ̈ it is X·φ̈ + Z·σ̈, of 2 φ̇ × ρ̇ it is Y·φ̇,
-  // of what keeps its direction while all else turns by φ it is w·φ. Z and w in the axes of `frame`.
+  // A row's measure of accelerations of the points that it carries: of φ̈ × ρ + σ̈ it is K·φ̈ + B·σ̈, of 2 φ̇ × ρ̇ it is
+  // Kv·φ̇, of what keeps its direction while all else turns by φ it is Kh·φ. B and Kh in the axes of `frame`.
   struct Measure {
-    GiNaC::ex Z, w;
+    GiNaC::ex B, Kh;
     Frame frame = 0;
-    GiNaC::ex X, Y;
+    GiNaC::ex K, Kv;
   };
 
   Measure of_ball(int link);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/median.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/tangent.hpp"

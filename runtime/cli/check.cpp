@@ -20,6 +20,7 @@ namespace {
 
 constexpr auto footer = R"(Example: does the code that g++ -O3 makes of the six bodies compute what they do?
   kanec check models/six_body --flags "-O3 -march=native"
+  kanec check models --functions accelerations
 
 Every compiled function is evaluated in seeded random states (the first is the scene's initial one; in every second one
 parameters and inputs stand off their defaults) and compared with
@@ -98,28 +99,50 @@ std::vector<Agreement> compare(const scene::Scene& scene, const Options& options
   });
 }
 
-int check(const Options& options) {
-  const scene::Scene scene = load(options.scene);
+// What was found of one scene; `failure` says what is beyond the bounds, if anything is.
+struct Found {
+  std::string text, failure;
+  Json json;
+};
+
+Found found(const scene::Scene& scene, const Options& options) {
   const Functions functions(scene);
   const CompiledModel model =
       build(scene, options.all ? functions.names() : functions.chosen(options.functions), options.build);
   const std::vector<Agreement> list = compare(scene, options, model);
   const std::string failure = verdict(list, options.bounds);
-  if (options.json)
-    print_json({{"model", scene.name},
-                {"hash", model.generated.hash},
-                {"states", options.states},
-                {"seed", options.seed},
-                {"bounds", {{"ulps", options.bounds.ulps}, {"generic", options.bounds.generic}}},
-                {"functions", json_of(list, options.bounds)},
-                {"passed", failure.empty()}});
-  else
-    print(fmt::format("{}: {} states, seed {}; bounds {} ulps and {} from the generic path in long double\n\n{}",
+  return {fmt::format("{}: {} states, seed {}; bounds {} ulps and {} from the generic path in long double\n\n{}",
                       scene.name, options.states, options.seed, brief(options.bounds.ulps),
-                      brief(options.bounds.generic), text_of(list, options.bounds)));
-  if (failure.empty()) return success;
-  remark(failure);
-  return check_failed;
+                      brief(options.bounds.generic), text_of(list, options.bounds)),
+          failure,
+          {{"model", scene.name},
+           {"hash", model.generated.hash},
+           {"states", options.states},
+           {"seed", options.seed},
+           {"bounds", {{"ulps", options.bounds.ulps}, {"generic", options.bounds.generic}}},
+           {"functions", json_of(list, options.bounds)},
+           {"passed", failure.empty()}}};
+}
+
+int check_all(const std::vector<scene::Scene>& scenes, const Options& options) {
+  int status = success;
+  Json all = Json::array();
+  for (const scene::Scene& scene : scenes) {
+    Found one = found(scene, options);
+    if (!options.json) print((all.empty() ? "" : "\n") + one.text);
+    if (!one.failure.empty()) {
+      remark(scenes.size() > 1 ? scene.name + ": " + one.failure : one.failure);
+      status = check_failed;
+    }
+    all.push_back(std::move(one.json));
+  }
+  if (options.json) print_json(scenes.size() > 1 ? all : all.front());
+  return status;
+}
+
+int check(const Options& options) {
+  const bool is_path = !options.scene.path.empty() && options.scene.connection.empty();
+  return check_all(is_path ? load_all({options.scene.path}, "") : std::vector{load(options.scene)}, options);
 }
 
 }  // namespace
@@ -127,7 +150,7 @@ int check(const Options& options) {
 void add_check(CLI::App& app, Action& action) {
   const auto [command, options] =
       add_command(app, action, "check", "the compiled functions against two independent computations", footer, &check);
-  add_scene(*command, options->scene);
+  add_scene(*command, options->scene, "a scene.toml, a folder that holds one, or a folder of these");
   command->add_option("--states", options->states, "random states (32)")
       ->option_text("NUMBER")
       ->check(CLI::Range(1, 1000000));

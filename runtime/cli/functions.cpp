@@ -2,6 +2,7 @@
 #include "runtime/cli/functions.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
@@ -19,15 +20,7 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 
 }  // namespace
 
-std::vector<std::string> parts_of(const std::string& request) {
-  std::vector<std::string> parts = {""};
-  for (const char c : request)
-    if (c == '+')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
+std::vector<std::string> parts_of(const std::string& request) { return parts(request); }
 
 std::string emitted_name(const std::string& request) {
   std::string name;
@@ -54,22 +47,15 @@ bool Functions::has(const std::string& name) const {
 }
 
 void Functions::check(const std::string& request) const {
-  std::vector<std::string> before;
-  for (const std::string& part : parts_of(request)) {
-    if (contains(before, part)) refuse(scene::in_quotes(request), "each part once");
-    before.push_back(part);
-    if (has(part)) continue;
-    if (part == "power")
-      refuse("power, which a scene without applied loads does not have", scene::one_of(names(), ""));
-    refuse(scene::in_quotes(part), scene::one_of(names(), part) + "; several joined by + are one");
-  }
+  if (const std::optional<Fault> fault = fault_of(request, all_)) refuse(fault->found, fault->allowed);
 }
 
 std::vector<std::string> Functions::chosen(const std::vector<std::string>& requests) const {
   std::vector<std::string> chosen;
   for (const std::string& request : requests) {
     check(request);
-    if (!contains(chosen, request)) chosen.push_back(request);
+    if (contains(chosen, request)) refuse(scene::in_quotes(request) + " twice", "each function once");
+    chosen.push_back(request);
   }
   return chosen;
 }

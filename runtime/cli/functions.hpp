@@ -32,7 +32,7 @@ class Functions {
 
   // Throws InputError, with the nearest known name, unless all parts of the request are known and different.
   void check(const std::string& request) const;
-  // Each once, checked.
+  // Checked; throws InputError for one that stands there twice.
   std::vector<std::string> chosen(const std::vector<std::string>& requests) const;
   // Of all parts together.
   Needs needs(const std::string& request) const;

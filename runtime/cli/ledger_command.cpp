@@ -1,7 +1,5 @@
 // kanec ledger: the operations of all functions of many scenes.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <filesystem>
 #include <optional>
 
 #include "generator/scene/read.hpp"
@@ -11,11 +9,10 @@
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/ledger.hpp"
 #include "runtime/cli/progress.hpp"
+#include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr auto footer = R"(Example: what the shipped scenes cost, as the page that the documentation links
   kanec ledger models --markdown -o docs/ledger.md
@@ -30,33 +27,14 @@ struct Options {
   std::string output;
 };
 
-bool is_scene(const fs::path& path) {
-  std::error_code ignored;
-  return !fs::is_directory(path, ignored) || fs::exists(path / "scene.toml", ignored);
-}
-
-// The scene files that a word of the command line means.
-std::vector<fs::path> files_of(const std::string& word) {
-  const fs::path path(word);
-  const auto file = [](const fs::path& scene) { return fs::is_directory(scene) ? scene / "scene.toml" : scene; };
-  if (is_scene(path)) return {file(path)};
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path))
-    if (entry.is_directory() && is_scene(entry.path())) files.push_back(file(entry.path()));
-  std::sort(files.begin(), files.end());
-  if (files.empty())
-    throw InputError("SCENES: found '" + word + "', in which no folder holds a scene.toml; allowed: scenes, or a folder of them");
-  return files;
-}
-
 std::vector<SceneCost> costs_of(const Options& options) {
-  std::vector<fs::path> files;
+  std::vector<std::string> files;
   for (const std::string& word : options.scenes.empty() ? std::vector<std::string>{"models"} : options.scenes)
-    for (fs::path& file : files_of(word)) files.push_back(std::move(file));
+    for (std::string& file : scene_files(word)) files.push_back(std::move(file));
   const Interrupts interrupts;
   ProgressBar bar("ledger");
   std::vector<SceneCost> costs;
-  for (const fs::path& file : files) {
+  for (const std::string& file : files) {
     interrupts.poll();
     bar.show(static_cast<double>(costs.size()) / static_cast<double>(files.size()));
     costs.push_back(cost_of(scene::read(file), options.all));

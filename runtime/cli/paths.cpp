@@ -27,12 +27,6 @@ std::vector<double> kept(const char* const* names, int count, const std::vector<
   return result;
 }
 
-const program::Function& find(const program::Program& program, const std::string& name) {
-  for (const program::Function& function : program.functions)
-    if (function.name == name) return function;
-  throw InternalError("no function " + name + " in the program");
-}
-
 }  // namespace
 
 std::vector<double> read_parameters(const kanec_model& model, const scene::Scene& scene,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/scene_argument.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "generator/scene/read.hpp"
@@ -12,9 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path file_of(const fs::path& path) {
+bool is_folder(const fs::path& path) {
   std::error_code ignored;
-  return fs::is_directory(path, ignored) ? path / "scene.toml" : path;
+  return fs::is_directory(path, ignored);
+}
+
+fs::path file_of(const fs::path& path) { return is_folder(path) ? path / "scene.toml" : path; }
+
+bool is_scene(const fs::path& path) {
+  std::error_code ignored;
+  return !is_folder(path) || fs::exists(path / "scene.toml", ignored);
 }
 
 scene::Scene read(const SceneArgument& argument) {
@@ -28,8 +36,8 @@ scene::Scene read(const SceneArgument& argument) {
 
 }  // namespace
 
-void add_scene(CLI::App& command, SceneArgument& argument) {
-  command.add_option("SCENE", argument.path, "a scene.toml, or a folder that holds one")->option_text(" ");
+void add_scene(CLI::App& command, SceneArgument& argument, const std::string& help) {
+  command.add_option("SCENE", argument.path, help)->option_text(" ");
   command
       .add_option("--connection", argument.connection,
                   "instead of a scene: the all-symbolic system of this lower-numbered body array")
@@ -41,6 +49,26 @@ scene::Scene load(const SceneArgument& argument) {
   for (const std::string& note : scene.notes) remark("note: " + note);
   for (const std::string& warning : scene.warnings) remark("warning: " + warning);
   return scene;
+}
+
+std::vector<std::string> scene_files(const std::string& word) {
+  if (is_scene(word)) return {file_of(word).string()};
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(word))
+    if (is_folder(entry.path()) && is_scene(entry.path())) files.push_back(file_of(entry.path()).string());
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw InputError("SCENE: found '" + word +
+                     "', in which no folder holds a scene.toml; allowed: scenes, or a folder of them");
+  return files;
+}
+
+std::vector<scene::Scene> load_all(const std::vector<std::string>& words, const std::string& connection) {
+  std::vector<scene::Scene> list;
+  for (const std::string& word : words)
+    for (const std::string& file : scene_files(word)) list.push_back(load(SceneArgument{file, connection}));
+  if (list.empty()) list.push_back(load(SceneArgument{"", connection}));
+  return list;
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "generator/scene/scene.hpp"
 
@@ -14,11 +15,19 @@ struct SceneArgument {
   std::string connection;
 };
 
-void add_scene(CLI::App& command, SceneArgument& argument);
+void add_scene(CLI::App& command, SceneArgument& argument,
+               const std::string& help = "a scene.toml, or a folder that holds one");
 
 // Reads it; its notes and warnings go to standard error. Throws InputError unless exactly one is given, SceneError,
 // FileError.
 scene::Scene load(const SceneArgument& argument);
+
+// The scene files that a word means: a scene.toml, or that of a folder, or those of a folder of such folders, by name.
+// Throws InputError for a folder that holds neither.
+std::vector<std::string> scene_files(const std::string& word);
+
+// All scenes of these words, or the one of the connection array.
+std::vector<scene::Scene> load_all(const std::vector<std::string>& words, const std::string& connection);
 
 // "6 bodies", "1 body"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);

@@ -33,10 +33,4 @@ double difference(const std::vector<double>& found, const std::vector<Precise>& 
   return error;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace kanec::cli

@@ -21,6 +21,4 @@ double largest(const std::vector<Precise>& values);
 // The largest error of a component; infinite where a number is not finite.
 double difference(const std::vector<double>& found, const std::vector<Precise>& exact);
 
-double median(std::vector<double> values);  // of one at least
-
 }  // namespace kanec::cli

@@ -30,6 +30,18 @@ TEST_F(Check, s6f_agrees) { passes({model("bench_s6f")}, 11); }
 TEST_F(Check, free_bodies_without_loads_agree) { passes({model("six_body_free")}, 10); }
 TEST_F(Check, all_symbols_agree) { passes({"--connection", "0,1,2,2,1,5"}, 11); }
 
+TEST_F(Check, of_a_folder_of_scenes_is_of_each_by_name) {
+  for (const std::string name : {"b", "a"}) {
+    fs::create_directories(work() / "some" / name);
+    write("some/" + name + "/scene.toml",
+          "name = '" + name + "'\nconnection = [0]\n[[body]]\nmass = 1\ninertia = [1, 1, 1]\n");
+  }
+  const json all = json_of({"check", "some", "--functions", "energy", "--json", "--states", "2"});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all.at(0).at("model"), "a");
+  EXPECT_EQ(all.at(1).at("model"), "b");
+}
+
 TEST_F(Check, beyond_a_bound_it_fails_with_status_1) {
   const std::vector<std::string> command = {"check", model("free_body"), "--functions", "energy,accelerations"};
   for (const char* bound : {"--bound", "--generic-bound"}) {

@@ -76,6 +76,18 @@ TEST_F(Generate, report_counts_every_function) {
   EXPECT_THAT(text.out, HasSubstr("wrote bench_s6f.hpp"));
 }
 
+TEST_F(Generate, a_function_that_the_scene_lacks_is_refused_with_the_reason_and_its_line) {
+  refuses({"generate", model("free_body"), "--functions", "accelerations_u"},
+          "accelerations_u, which a scene without inputs does not have");
+  refuses({"generate", model("free_body"), "--functions", "driving_loads"},
+          "driving_loads, which a scene without locked or prescribed coordinates does not have");
+  refuses({"generate", model("free_body"), "--functions", "energy,energy"}, "\"energy\" twice");
+  write("scene.toml",
+        "name = 'a'\nconnection = [0]\nfunctions = [\n  'energy',\n  'poses+enerty']\n[[body]]\nmass = 1\n"
+        "inertia = [1, 1, 1]\n");
+  refuses({"generate", "scene.toml"}, "scene.toml:5: functions[2]: found \"enerty\"; allowed: ", {"scene.toml"});
+}
+
 TEST_F(Generate, chosen_functions_alone_are_emitted) {
   const json report = json_of({"generate", model("free_body"), "--functions", "energy,poses", "--json"});
   EXPECT_EQ(report.at("functions").size(), 2u);

@@ -12,6 +12,7 @@
 #include "generator/comparison.hpp"
 #include "generator/program/passes.hpp"
 #include "generator/scene/read.hpp"
+#include "runtime/base/median.hpp"
 #include "runtime/cli/precise.hpp"
 #include "tests/lower/trees.hpp"
 #include "tests/support/reference.hpp"
@@ -76,11 +77,6 @@ TEST(Rounding, of_random_trees_of_every_joint_is_below_a_few_hundred_units) {
     const Worst found = worst(scene, random, 2);
     EXPECT_LT(found.ulps, 500) << found.function << " of seed " << seed;
   }
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 struct Medians {

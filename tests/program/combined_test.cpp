@@ -82,7 +82,7 @@ TEST(Combined, takes_the_arguments_of_all_and_returns_a_result_for_each) {
 
 TEST(Combined, of_an_unknown_function_is_refused) {
   Program program = two_functions();
-  EXPECT_THAT([&] { combined(program, {"f", "h"}); }, ThrowsMessage<InternalError>("combined: no function h"));
+  EXPECT_THAT([&] { combined(program, {"f", "h"}); }, ThrowsMessage<InternalError>("no function h in the program"));
 }
 
 }  // namespace

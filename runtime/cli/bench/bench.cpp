@@ -46,13 +46,6 @@ struct Options {
   std::string svg;
 };
 
-std::vector<scene::Scene> load(const Options& options) {
-  std::vector<scene::Scene> list;
-  for (const std::string& path : options.scenes) list.push_back(cli::load(SceneArgument{path, options.connection}));
-  if (list.empty()) list.push_back(cli::load(SceneArgument{"", options.connection}));
-  return list;
-}
-
 // Of one scene those that it asks for, or the usual ones; of several, the accelerations.
 std::vector<std::string> functions(const Options& options, const std::vector<scene::Scene>& scenes) {
   if (options.functions.empty() && scenes.size() > 1) return {"accelerations"};
@@ -116,7 +109,7 @@ int bench(const Options& options) {
   AtomicFile report(options.output);
   std::optional<AtomicFile> picture;
   if (!options.svg.empty()) picture.emplace(options.svg);
-  const std::vector<scene::Scene> scenes = load(options);
+  const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   const ContestOptions contest{functions(options, scenes), variants(options.variants, options.build),
                                options.no_peers ? std::vector<Peer>{} : peers_beside_program(), options.min_time};
   const std::vector<Contest> list = contests(scenes, contest);

@@ -14,6 +14,7 @@
 #include "generator/program/evaluate.hpp"
 #include "generator/rounding.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/median.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/report/ways.hpp"

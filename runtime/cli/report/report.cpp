@@ -67,13 +67,6 @@ struct Findings {
   std::vector<SceneRuns> runs;
 };
 
-std::vector<scene::Scene> load(const Options& options) {
-  std::vector<scene::Scene> list;
-  for (const std::string& path : options.scenes) list.push_back(cli::load(SceneArgument{path, options.connection}));
-  if (list.empty()) list.push_back(cli::load(SceneArgument{"", options.connection}));
-  return list;
-}
-
 SceneErrors errors_of(const scene::Scene& scene, EvaluationOptions options, const Interrupts& interrupts) {
   options.functions = Functions(scene).chosen(options.functions);
   ProgressBar bar(scene.name);
@@ -83,9 +76,13 @@ SceneErrors errors_of(const scene::Scene& scene, EvaluationOptions options, cons
   });
 }
 
-// As it is typed on a command line.
-std::string argument_of(const Options& options, std::size_t scene) {
-  return options.scenes.empty() ? "--connection " + options.connection : options.scenes[scene];
+// Each scene as it is typed on a command line, in the order of load_all().
+std::vector<std::string> arguments_of(const Options& options) {
+  std::vector<std::string> list;
+  for (const std::string& word : options.scenes)
+    for (const std::string& file : scene_files(word)) list.push_back(file);
+  if (list.empty()) list.push_back("--connection " + options.connection);
+  return list;
 }
 
 SceneRuns runs_of(const scene::Scene& scene, const Options& options, const Interrupts& interrupts) {
@@ -104,7 +101,7 @@ Findings found(const Options& options, const std::vector<scene::Scene>& scenes) 
     if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options.evaluation, interrupts));
     if (!options.integrates()) continue;
     findings.runs.push_back(runs_of(scenes[i], options, interrupts));
-    findings.runs.back().path = argument_of(options, i);
+    findings.runs.back().path = arguments_of(options)[i];
   }
   return findings;
 }
@@ -180,14 +177,14 @@ void check(const Options& options) {
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (options.plot.empty()) return;
   if (!options.integrates()) refuse("--plot: found nothing to draw", "with integration");
-  if (options.scenes.size() > 1)
-    refuse("--plot: found " + std::to_string(options.scenes.size()) + " scenes", "one scene a picture");
+  if (const std::size_t count = arguments_of(options).size(); count > 1)
+    refuse("--plot: found " + std::to_string(count) + " scenes", "one scene a picture");
   if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
 }
 
 int report(const Options& options) {
   check(options);
-  const std::vector<scene::Scene> scenes = load(options);
+  const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
   std::optional<AtomicFile> picture;
   if (!options.plot.empty()) picture.emplace(options.plot);
@@ -243,7 +240,8 @@ void add_integration(CLI::App& command, Options& options) {
 
 void add_report(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(app, action, "report", "speed against error", footer, &report);
-  command->add_option("SCENE", options->scenes, "scene.toml files, or folders that hold one")->option_text("...");
+  command->add_option("SCENE", options->scenes, "scene.toml files, folders that hold one, or folders of these")
+      ->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");
   add_parts(*command, *options);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/report/ways.hpp"
 
-#include <algorithm>
-
 #include "generator/candidates.hpp"
 #include "generator/comparison.hpp"
 #include "generator/program/passes.hpp"
@@ -14,12 +12,6 @@ namespace {
 using symbolic::Algorithm;
 using symbolic::Axes;
 using symbolic::Way;
-
-bool has_balls(const symbolic::Mechanism& mechanism) {
-  return std::any_of(mechanism.links.begin(), mechanism.links.end(), [](const symbolic::Link& link) {
-    return link.turning == symbolic::Link::Turning::ball && link.lower > 0;
-  });
-}
 
 // The work grows with the cube of what is coupled: beyond this it is no way at all.
 bool may_be_composite(const symbolic::Mechanism& mechanism) { return mechanism.size() <= 16; }
@@ -64,7 +56,7 @@ std::vector<NamedWay> ways_beside(const scene::Scene& scene, const std::string& 
   if (is_solved && may_be_composite(mechanism))
     add(kept.algorithm == Algorithm::composite ? "joint by joint" : "A and L D L^T", with_other_algorithm(kept));
   if (depends) {
-    if (has_balls(mechanism)) add(kept.axes == Axes::body ? "inertial axes" : "own axes", with_other_axes(kept));
+    if (mechanism.has_balls()) add(kept.axes == Axes::body ? "inertial axes" : "own axes", with_other_axes(kept));
     add(kept.reductions.place_origins ? "origins as typed" : "origins moved",
         with_origins(kept, !kept.reductions.place_origins));
     add(kept.reductions.turn_axes ? "axes as typed" : "axes turned", with_axes(kept, !kept.reductions.turn_axes));
