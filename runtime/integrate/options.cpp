@@ -123,16 +123,16 @@ void check(const Options& options) {
   if (options.max_steps < 1) refuse("max steps", std::to_string(options.max_steps), "at least 1");
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, method] : methods) names.emplace_back(name);
-  return names;
-}
-
 Method method_of(std::string_view name) { return choice_of(methods, "integrator", name); }
 std::string name_of(Method method) { return name_in(methods, method); }
 JacobianChoice jacobian_of(std::string_view name) { return choice_of(jacobians, "jacobian", name); }
 std::string name_of(JacobianChoice choice) { return name_in(jacobians, choice); }
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> list;
+  for (const auto& [name, method] : methods) list.emplace_back(name);
+  return list;
+}
 
 RowTimes::RowTimes(double duration, double output_step) : duration_(duration), step_(output_step), last_(0) {
   const double intervals = duration / output_step;
