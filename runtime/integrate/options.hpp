@@ -1,4 +1,5 @@
-// From when to when to integrate, with which method, how finely. Not here: what the command line or the scene calls these.
+// From when to when to integrate, with which method, how finely. Not here: what the command line or the scene calls
+// these.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -27,7 +28,7 @@ enum class Method {
 
 // Where arkode_dirk, cvode_bdf and ida have the derivatives of the rates from, and how they solve with them.
 enum class JacobianChoice {
-  automatic,    // emitted where the model has them: sparse where that takes less time; else differences
+  automatic,    // emitted and sparse where the model has them, else differences
   dense,        // emitted, L U
   sparse,       // emitted, KLU with their pattern of nonzeros
   differences,  // of rates, a column an evaluation; dense
