@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/hard/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/scene/place.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/hard/answer.hpp"
+#include "runtime/cli/paths.hpp"
+
+namespace kanec::cli::hard {
+namespace {
+
+integrate::Options integration(const scene::Simulation& settings) {
+  integrate::Options options;
+  options.method = integrate::method_of(settings.integrator);
+  options.duration = settings.duration;
+  options.output_step = settings.output_step;
+  options.step = settings.step;
+  options.relative_tolerance = settings.relative_tolerance;
+  options.absolute_tolerance = settings.absolute_tolerance;
+  return options;
+}
+
+// Energy against work along the run: the slope of the straight line nearest to it, times the duration.
+class Drift {
+ public:
+  void add(double t, double value) {
+    if (n_ == 0) first_ = value;
+    const long double change = static_cast<long double>(value) - first_;
+    ++n_;
+    t_ += t;
+    e_ += change;
+    tt_ += static_cast<long double>(t) * t;
+    te_ += t * change;
+  }
+  double total(double duration) const {
+    const long double spread = n_ * tt_ - t_ * t_;
+    return spread > 0 ? static_cast<double>(std::fabs((n_ * te_ - t_ * e_) / spread * duration)) : 0.0;
+  }
+
+ private:
+  long double n_ = 0, first_ = 0, t_ = 0, e_ = 0, tt_ = 0, te_ = 0;
+};
+
+// Some states evenly along the run.
+class Samples {
+ public:
+  Samples(const scene::Scene& scene, std::int64_t rows) : scene_(scene), every_(std::max<std::int64_t>(1, rows / most)) {}
+
+  void add(const integrate::Row& row) {
+    if (row_++ % every_ != 0 || states_.size() >= most) return;
+    State state = initial_state(scene_);
+    state.t = row.t;
+    state.x.assign(row.x.begin(), row.x.end());
+    state.y.assign(row.y.begin(), row.y.end());
+    states_.push_back(std::move(state));
+  }
+  const std::vector<State>& states() const { return states_; }
+
+ private:
+  static constexpr std::size_t most = 15;
+  const scene::Scene& scene_;
+  std::int64_t every_, row_ = 0;
+  std::vector<State> states_;
+};
+
+std::vector<Error> physical(const integrate::Summary& summary, const Drift& drift, double duration) {
+  std::vector<Error> errors;
+  if (summary.energy) {
+    const double scale = summary.energy->worst.scale;
+    errors.push_back({"energy", "", summary.energy->worst.relative()});
+    errors.push_back({"energy_drift", "", scale > 0 ? drift.total(duration) / scale : 0.0});
+  }
+  if (summary.linear_momentum) errors.push_back({"linear_momentum", "", summary.linear_momentum->worst.relative()});
+  if (summary.angular_momentum) errors.push_back({"angular_momentum", "", summary.angular_momentum->worst.relative()});
+  errors.push_back({"norm", "", summary.worst_norm_error_after});
+  return errors;
+}
+
+std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::vector<Error>& errors) {
+  std::vector<Kept> list;
+  std::vector<std::string> known;
+  for (const Error& error : errors) known.push_back(error.what);
+  for (const Bound& bound : length.keeps) {
+    const auto same = std::find_if(errors.begin(), errors.end(), [&](const Error& e) { return e.what == bound.what; });
+    if (same == errors.end())
+      scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what), scene::one_of(known, bound.what));
+    list.push_back({same->what, same->unit, same->value, bound.most});
+  }
+  return list;
+}
+
+}  // namespace
+
+bool Outcome::holds() const {
+  return failure.empty() && std::all_of(kept.begin(), kept.end(), [](const Kept& one) { return one.holds(); });
+}
+
+std::vector<std::string> needed_functions(const HardCase& hard) {
+  const std::string rates = "kinematics+accelerations";
+  return {Functions(hard.scene).has("power") ? rates + "+power" : rates, "accelerations", "energy", "momentum"};
+}
+
+Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
+                const std::function<void(double)>& progress) {
+  Outcome result;
+  result.options = integration(length.settings);
+  const State start = initial_state(hard.scene);
+  const Solver solver = solver_of(model.library.abi(), hard.scene, start);
+  const std::unique_ptr<Answer> known = hard.answer.empty() ? nullptr : answer(hard.answer, hard.scene);
+  Samples samples(hard.scene, integrate::RowTimes(result.options.duration, result.options.output_step).size());
+  Drift drift;
+  try {
+    const auto add = [&](const integrate::Row& row) {
+      if (row.energy) drift.add(row.t, row.energy->total() - row.work);
+      if (known) known->compare(row);
+      samples.add(row);
+    };
+    result.summary = integrate::simulate(solver, start.x, start.y, result.options, add, progress);
+  } catch (const IntegrationError& error) {
+    result.failure = error.what();
+    return result;
+  }
+  std::vector<Error> errors = physical(result.summary, drift, result.options.duration);
+  if (known)
+    for (Error& error : known->errors()) errors.push_back(std::move(error));
+  result.kept = kept(hard, length, errors);
+  result.accelerations = rounding(model, hard.scene, samples.states());
+  return result;
+}
+
+}  // namespace kanec::cli::hard

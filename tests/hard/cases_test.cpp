@@ -1,0 +1,54 @@
+// The hard cases at modest length. Oracles: known answers (closed forms, runs in higher precision), what physics keeps,
+// and for rounding the generic path in long double.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/cli/hard/outcome.hpp"
+#include "tests/base/environment.hpp"
+
+namespace kanec::cli::hard::test {
+namespace {
+
+namespace fs = std::filesystem;
+using kanec::test::Variable;
+
+const fs::path folder = KANEC_SOURCE_DIR "/models/hard";
+
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const fs::path& path : hard_cases(folder)) list.push_back(path.filename().string());
+  return list;
+}
+
+class Cases : public testing::TestWithParam<std::string> {
+ private:
+  // one cache for all runs of this test; -O1 as cases are integrated, not looked at
+  Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
+  Variable flags_{"KANEC_CXXFLAGS", "-O1"};
+};
+
+INSTANTIATE_TEST_SUITE_P(Hard, Cases, testing::ValuesIn(names()), [](const auto& one) { return one.param; });
+
+TEST_P(Cases, keep_to_their_bounds_and_round_no_worse_than_twice_the_generic_path) {
+  const HardCase one = read_hard_case(folder / GetParam());
+  EXPECT_EQ(one.scene.name, GetParam());
+  EXPECT_TRUE(fs::exists(folder / GetParam() / "README.md"));
+  const CompiledModel model = build(one.scene, needed_functions(one), {});
+  for (const hard::Run& run : one.runs) {
+    SCOPED_TRACE(run.brief.settings.integrator);
+    EXPECT_FALSE(run.brief.keeps.empty());
+    const bool full = std::getenv("HARD_FULL");  // TUNE
+    const Outcome found = outcome(one, full ? run.full : run.brief, model);
+    std::printf("TUNE %s %s wall %.2f steps %ld eval %ld acc %.2f/%.2f fail '%s'", GetParam().c_str(), run.brief.settings.integrator.c_str(), found.summary.wall_seconds, found.summary.steps, found.summary.evaluations, found.accelerations.emitted, found.accelerations.generic, found.failure.c_str());  // TUNE
+    for (const Kept& kept : found.kept) std::printf(" %s %.2g(%.0e)%s", kept.what.c_str(), kept.found, kept.most, kept.holds() ? "" : "!!");  // TUNE
+    std::printf("\n");  // TUNE
+    EXPECT_EQ(found.failure, "");
+    for (const Kept& kept : found.kept) EXPECT_TRUE(kept.holds()) << kept.what << ": " << kept.found << ", at most " << kept.most;
+    EXPECT_TRUE(found.accelerations.holds())
+        << "accelerations: " << found.accelerations.emitted << " ulps, generic path " << found.accelerations.generic;
+  }
+}
+
+}  // namespace
+}  // namespace kanec::cli::hard::test
