@@ -1,8 +1,6 @@
 // Known answers against each other and against the equations of motion: oracles are the generic path in long double,
 // extrapolated, for closed forms, and closed forms for it.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/hard/answer.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/hard/extrapolation.hpp"
 #include "runtime/generic/evaluate.hpp"
 
@@ -53,10 +52,14 @@ TEST(Answers, in_closed_form_are_solutions_of_the_equations_of_motion) {
     const char *scene, *answer;
     double duration, most;
   };
-  for (const Case& one : {Case{"torque_free", "torque_free", 8.0, 1e-13}, {"fast_spin", "torque_free", 0.002, 1e-13},
-                          {"fast_top", "heavy_top", 0.1, 1e-13}, {"precessing_top", "heavy_top", 0.2, 1e-13},
-                          {"sleeping_top", "heavy_top", 2.0, 1e-12}, {"kovalevskaya", "kovalevskaya", 3.0, 1e-13},
-                          {"stiff_springs", "uniform_chain", 0.002, 1e-13}, {"attractor", "kepler", 6.0, 1e-12}}) {
+  for (const Case& one : {Case{"torque_free", "torque_free", 8.0, 1e-13},
+                          {"fast_spin", "torque_free", 0.002, 1e-13},
+                          {"fast_top", "heavy_top", 0.1, 1e-13},
+                          {"precessing_top", "heavy_top", 0.2, 1e-13},
+                          {"sleeping_top", "heavy_top", 2.0, 1e-12},
+                          {"kovalevskaya", "kovalevskaya", 3.0, 1e-13},
+                          {"stiff_springs", "uniform_chain", 0.002, 1e-13},
+                          {"attractor", "kepler", 6.0, 1e-12}}) {
     SCOPED_TRACE(one.scene);
     const scene::Scene scene = hard_scene(one.scene);
     const auto known = answer(one.answer, scene);

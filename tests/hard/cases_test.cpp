@@ -38,13 +38,10 @@ TEST_P(Cases, keep_to_their_bounds_and_round_no_worse_than_twice_the_generic_pat
   for (const hard::Run& run : one.runs) {
     SCOPED_TRACE(run.brief.settings.integrator);
     EXPECT_FALSE(run.brief.keeps.empty());
-    const bool full = std::getenv("HARD_FULL");  // TUNE
-    const Outcome found = outcome(one, full ? run.full : run.brief, model);
-    std::printf("TUNE %s %s wall %.2f steps %ld eval %ld acc %.2f/%.2f fail '%s'", GetParam().c_str(), run.brief.settings.integrator.c_str(), found.summary.wall_seconds, found.summary.steps, found.summary.evaluations, found.accelerations.emitted, found.accelerations.generic, found.failure.c_str());  // TUNE
-    for (const Kept& kept : found.kept) std::printf(" %s %.2g(%.0e)%s", kept.what.c_str(), kept.found, kept.most, kept.holds() ? "" : "!!");  // TUNE
-    std::printf("\n");  // TUNE
+    const Outcome found = outcome(one, run.brief, model);
     EXPECT_EQ(found.failure, "");
-    for (const Kept& kept : found.kept) EXPECT_TRUE(kept.holds()) << kept.what << ": " << kept.found << ", at most " << kept.most;
+    for (const Kept& kept : found.kept)
+      EXPECT_TRUE(kept.holds()) << kept.what << ": " << kept.found << ", at most " << kept.most;
     EXPECT_TRUE(found.accelerations.holds())
         << "accelerations: " << found.accelerations.emitted << " ulps, generic path " << found.accelerations.generic;
   }

@@ -42,7 +42,8 @@ TEST(Elliptic, argument_undoes_sn_and_cn) {
       const Real u = share * elliptic.quarter_period();
       const Jacobi f = elliptic(u);
       // near the middle of a period sn is flat on a scale of k': the argument has that much fewer digits
-      EXPECT_NEAR(static_cast<double>(elliptic.argument(f.sn, f.cn) - u), 0.0, 1e-17 / std::sqrt(static_cast<double>(complement)));
+      EXPECT_NEAR(static_cast<double>(elliptic.argument(f.sn, f.cn) - u), 0.0,
+                  1e-17 / std::sqrt(static_cast<double>(complement)));
     }
   }
 }
@@ -54,7 +55,8 @@ TEST(Elliptic, period_is_four_quarters_however_often) {
 }
 
 TEST(Integral, of_a_smooth_function_has_all_digits) {
-  EXPECT_NEAR(static_cast<double>(integral([](Real x) { return std::exp(x); }, -1, 2, 0.5L) - (std::exp(2.0L) - std::exp(-1.0L))),
+  EXPECT_NEAR(static_cast<double>(integral([](Real x) { return std::exp(x); }, -1, 2, 0.5L) -
+                                  (std::exp(2.0L) - std::exp(-1.0L))),
               0.0, static_cast<double>(10 * tolerance));
 }
 

@@ -41,8 +41,9 @@ class Reading : public testing::Test {
 };
 
 TEST_F(Reading, a_short_run_is_as_the_full_one_but_for_what_it_says) {
-  const HardCase hard = read(head + "answer = \"torque_free\"\n[[run]]\nintegrator = \"gauss6\"\nduration = 5\n"
-                                    "keeps = { energy = 1e-9 }\n[run.short]\nduration = 1\n");
+  const HardCase hard = read(head +
+                             "answer = \"torque_free\"\n[[run]]\nintegrator = \"gauss6\"\nduration = 5\n"
+                             "keeps = { energy = 1e-9 }\n[run.short]\nduration = 1\n");
   ASSERT_EQ(hard.runs.size(), 1u);
   EXPECT_EQ(hard.answer, "torque_free");
   EXPECT_EQ(hard.runs[0].full.settings.duration, 5.0);
@@ -86,8 +87,9 @@ TEST_F(Running, a_run_that_stops_says_when_and_at_which_coordinate_of_which_body
 }
 
 TEST_F(Running, a_bound_that_is_not_kept_is_told) {
-  const HardCase hard = read(head + "answer = \"torque_free\"\n[[run]]\nintegrator = \"rk4\"\nstep = 0.1\nduration = 5\n"
-                                    "keeps = { attitude = 1e-12 }\n",
+  const HardCase hard = read(head +
+                                 "answer = \"torque_free\"\n[[run]]\nintegrator = \"rk4\"\nstep = 0.1\nduration = 5\n"
+                                 "keeps = { attitude = 1e-12 }\n",
                              "mass = 1.0\ninertia = [1.0, 2.0, 3.0]\n[body.initial]\nomega = [1.0, 1.0, 1.0]\n");
   const CompiledModel model = build(hard.scene, needed_functions(hard), {});
   const Outcome found = outcome(hard, hard.runs[0].full, model);

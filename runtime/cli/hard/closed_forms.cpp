@@ -27,7 +27,8 @@ class Kovalevskaya final : public Answer {
     const generic::System<Real> system(scene, scene::default_parameters(scene));
     const generic::Body<Real>& body = system.body(1);
     const Vector g = system.gravity();
-    const Matrix about_point = body.I + body.m * (body.r.squaredNorm() * Matrix::Identity() - body.r * body.r.transpose());
+    const Matrix about_point =
+        body.I + body.m * (body.r.squaredNorm() * Matrix::Identity() - body.r * body.r.transpose());
     const Vector ratios = about_point.diagonal() / about_point(2, 2);
     if (at_.omega < 0 || (ratios - Vector(2, 2, 1)).norm() > 1e-14L || body.r[1] != 0 || body.r[2] != 0 || g[0] != 0 ||
         g[1] != 0)
@@ -103,8 +104,7 @@ class Kepler final : public Answer {
 class Bounce final : public Answer {
  public:
   explicit Bounce(const scene::Scene& scene) : at_(scene::Layout(scene).bodies.at(0)) {
-    if (scene::size(scene) != 1 || at_.s.size() != 1 || at_.s.front() < 0)
-      refuse("bounce", "one prismatic joint");
+    if (scene::size(scene) != 1 || at_.s.size() != 1 || at_.s.front() < 0) refuse("bounce", "one prismatic joint");
     const generic::System<Real> system(scene, scene::default_parameters(scene));
     rate_ = std::sqrt(parameter("bounce", scene, "k") / system.body(1).m);
   }

@@ -40,7 +40,8 @@ class Extrapolation {
         t_ = h == end - t_ ? end : t_ + h;
       }
       if (error > wanted || h == h_) h_ = h * std::clamp(factor, 0.1, 4.0);
-      if (h_ < 1e-14 * (end - t_)) throw IntegrationError("the reference run stops at t = " + std::to_string(t_));
+      if (h_ < 1e-14 * (end - t_) || ++steps_ > most_steps)
+        throw IntegrationError("the reference run stops at t = " + std::to_string(t_) + " s: its rates are too rough");
     }
     return z_;
   }
@@ -104,6 +105,8 @@ class Extrapolation {
   State z_;
   Accuracy accuracy_;
   std::vector<double> size_;
+  static constexpr long most_steps = 1'000'000;
+  long steps_ = 0;
   double t_ = 0.0, h_ = 1e-3;
 };
 

@@ -36,8 +36,8 @@ std::vector<Bound> read_bounds(const Node& node) {
 }
 
 Length read_length(const Table& table, Length length, const std::vector<std::string>& more_keys) {
-  std::vector<std::string> keys = {"integrator",         "duration", "output_step", "step", "relative_tolerance",
-                                   "absolute_tolerance", "keeps"};
+  std::vector<std::string> keys = {"integrator",         "duration",           "output_step", "step",
+                                   "relative_tolerance", "absolute_tolerance", "keeps"};
   keys.insert(keys.end(), more_keys.begin(), more_keys.end());
   table.only(keys);
   const auto real = [&table](const char* key, double& value) {

@@ -1,5 +1,5 @@
-// A hard case: a scene, its known answer, how it is run and what a run keeps to what; models/hard/<case>/hard.toml beside
-// scene.toml. Not: the runs (outcome.hpp).
+// A hard case: a scene, its known answer, how it is run and what a run keeps to what; models/hard/<case>/hard.toml
+// beside scene.toml. Not: the runs (outcome.hpp).
 //
 //   case = "torque-free body near its intermediate axis"
 //   source = "Landau and Lifshitz, Mechanics, section 37"
@@ -22,8 +22,8 @@
 
 namespace kanec::cli::hard {
 
-// The most that something may be off: energy, energy_drift, linear_momentum, angular_momentum (relative), norm
-// (| |ε| − 1 |), or an error of the answer by its name.
+// The most that something may be off: energy, energy_drift (its linear part), angular_momentum, relative;
+// linear_momentum beside √(2 m T); norm, | |ε| − 1 |; or an error of the answer by its name.
 struct Bound {
   std::string what;
   double most = 0.0;

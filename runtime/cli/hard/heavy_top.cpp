@@ -9,8 +9,9 @@
 namespace kanec::cli::hard {
 namespace {
 
-// u = cos θ between two roots of u̇² = β (u − u1) (u − u2) (u − u3), by sn²; precession and spin by quadrature. The start
-// is at a root, which divides the cubic: the others are those of a quadratic, with all digits where two of them meet.
+// u = cos θ between two roots of u̇² = β (u − u1) (u − u2) (u − u3), by sn²; precession and spin by quadrature. The
+// start is at a root, which divides the cubic: the others are those of a quadratic, with all digits where two of them
+// meet.
 class HeavyTop final : public Answer {
  public:
   explicit HeavyTop(const scene::Scene& scene) : at_(scene::Layout(scene).bodies.at(0)) {
@@ -19,7 +20,8 @@ class HeavyTop final : public Answer {
     const Vector g = system.gravity();
     const bool is_top = scene::size(scene) == 1 && at_.omega >= 0 && at_.s.empty() && body.I(0, 0) == body.I(1, 1) &&
                         body.r[0] == 0 && body.r[1] == 0 && g[0] == 0 && g[1] == 0 && g[2] < 0;
-    if (!is_top) throw InputError("heavy_top: found another scene; allowed: a symmetric top about its z axis, on a ball");
+    if (!is_top)
+      throw InputError("heavy_top: found another scene; allowed: a symmetric top about its z axis, on a ball");
     A_ = body.I(0, 0) + body.m * body.r[2] * body.r[2];
     C_ = body.I(2, 2);
     mgl_ = -body.m * g[2] * body.r[2];

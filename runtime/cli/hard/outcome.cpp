@@ -9,6 +9,7 @@
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/generic/system.hpp"
 
 namespace kanec::cli::hard {
 namespace {
@@ -48,7 +49,8 @@ class Drift {
 // Some states evenly along the run.
 class Samples {
  public:
-  Samples(const scene::Scene& scene, std::int64_t rows) : scene_(scene), every_(std::max<std::int64_t>(1, rows / most)) {}
+  Samples(const scene::Scene& scene, std::int64_t rows)
+      : scene_(scene), every_(std::max<std::int64_t>(1, rows / most)) {}
 
   void add(const integrate::Row& row) {
     if (row_++ % every_ != 0 || states_.size() >= most) return;
@@ -67,14 +69,24 @@ class Samples {
   std::vector<State> states_;
 };
 
-std::vector<Error> physical(const integrate::Summary& summary, const Drift& drift, double duration) {
+// Of a linear momentum beside the largest that so much energy can have, √(2 m T): it may well be zero.
+double of_momentum(const HardCase& hard, const integrate::Summary& summary) {
+  const generic::System<double> system(hard.scene, scene::default_parameters(hard.scene));
+  double mass = 0.0;
+  for (int k = 1; k <= system.n_bodies(); ++k) mass += system.body(k).m;
+  const double kinetic = std::max(summary.energy->start.kinetic, summary.energy->end.kinetic);
+  return summary.linear_momentum->worst.value / std::sqrt(2 * mass * kinetic);
+}
+
+std::vector<Error> physical(const HardCase& hard, const integrate::Summary& summary, const Drift& drift,
+                            double duration) {
   std::vector<Error> errors;
   if (summary.energy) {
     const double scale = summary.energy->worst.scale;
     errors.push_back({"energy", "", summary.energy->worst.relative()});
     errors.push_back({"energy_drift", "", scale > 0 ? drift.total(duration) / scale : 0.0});
   }
-  if (summary.linear_momentum) errors.push_back({"linear_momentum", "", summary.linear_momentum->worst.relative()});
+  if (summary.linear_momentum) errors.push_back({"linear_momentum", "", of_momentum(hard, summary)});
   if (summary.angular_momentum) errors.push_back({"angular_momentum", "", summary.angular_momentum->worst.relative()});
   errors.push_back({"norm", "", summary.worst_norm_error_after});
   return errors;
@@ -87,7 +99,8 @@ std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::ve
   for (const Bound& bound : length.keeps) {
     const auto same = std::find_if(errors.begin(), errors.end(), [&](const Error& e) { return e.what == bound.what; });
     if (same == errors.end())
-      scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what), scene::one_of(known, bound.what));
+      scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what),
+                  scene::one_of(known, bound.what));
     list.push_back({same->what, same->unit, same->value, bound.most});
   }
   return list;
@@ -124,7 +137,7 @@ Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel&
     result.failure = error.what();
     return result;
   }
-  std::vector<Error> errors = physical(result.summary, drift, result.options.duration);
+  std::vector<Error> errors = physical(hard, result.summary, drift, result.options.duration);
   if (known)
     for (Error& error : known->errors()) errors.push_back(std::move(error));
   result.kept = kept(hard, length, errors);

@@ -15,8 +15,8 @@ double nearest(const Precise& value) { return value.rounded(); }
 double distance(const Precise& a, double b) { return (a - Precise(b)).magnitude().rounded(); }
 double distance(long double a, double b) { return static_cast<double>(std::fabs(a - static_cast<long double>(b))); }
 
-// Rows beside a run in T: the worst angle of a ball or a turn, the worst translation, the worst speed beside the largest
-// that the run has.
+// Rows beside a run in T: the worst angle of a ball or a turn, the worst translation, the worst speed beside the
+// largest that the run has.
 template <class T>
 class Reference final : public Answer {
  public:
@@ -32,7 +32,8 @@ class Reference final : public Answer {
     for (std::size_t i = 0; i < nx; ++i) x.push_back(nearest(z[i]));
     const auto add = [&](const std::vector<int>& places, double& worst) {
       for (const int i : places)
-        if (i >= 0) worst = std::max(worst, distance(z[static_cast<std::size_t>(i)], row.x[static_cast<std::size_t>(i)]));
+        if (i >= 0)
+          worst = std::max(worst, distance(z[static_cast<std::size_t>(i)], row.x[static_cast<std::size_t>(i)]));
     };
     for (const scene::BodyLayout& body : layout_.bodies) {
       add(body.theta, angle_);
@@ -78,14 +79,16 @@ std::unique_ptr<Answer> reference(const scene::Scene& scene) {
     rate.insert(rate.end(), ydot.begin(), ydot.end());
     return rate;
   };
-  return std::make_unique<Reference<Real>>(scene, rates, Extrapolation<Real>::Accuracy{8, 1e-17, 19});
+  return std::make_unique<Reference<Real>>(scene, rates, Extrapolation<Real>::Accuracy{8, 1e-15, 19});
 }
 
 std::unique_ptr<Answer> precise_reference(const scene::Scene& scene) {
   const auto program = std::make_shared<program::Program>(cheapest_program(scene, {"kinematics+accelerations"}));
-  const auto precise = [](const std::vector<double>& values) { return std::vector<Precise>(values.begin(), values.end()); };
-  program::Arguments<Precise> at{precise(scene::default_parameters(scene)), {}, {}, {},
-                                 precise(scene::default_inputs(scene)), Precise(0.0)};
+  const auto precise = [](const std::vector<double>& values) {
+    return std::vector<Precise>(values.begin(), values.end());
+  };
+  program::Arguments<Precise> at{precise(scene::default_parameters(scene)), {},          {}, {},
+                                 precise(scene::default_inputs(scene)),     Precise(0.0)};
   const auto nx = static_cast<std::ptrdiff_t>(scene::n_coordinates(scene));
   const auto rates = [=](const Precise& t, const std::vector<Precise>& z) mutable {
     at.time = t;
@@ -93,7 +96,7 @@ std::unique_ptr<Answer> precise_reference(const scene::Scene& scene) {
     at.y.assign(z.begin() + nx, z.end());
     return program::evaluate(*program, program->functions.front(), at);
   };
-  return std::make_unique<Reference<Precise>>(scene, rates, Extrapolation<Precise>::Accuracy{15, 1e-32, 50});
+  return std::make_unique<Reference<Precise>>(scene, rates, Extrapolation<Precise>::Accuracy{12, 1e-26, 50});
 }
 
 }  // namespace kanec::cli::hard

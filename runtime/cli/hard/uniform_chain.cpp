@@ -36,21 +36,22 @@ class UniformChain final : public Answer {
     for (int i = 1; i <= n_; ++i)
       is_chain = is_chain && system.body(i).m == system.body(1).m && system.body(i).lower == i - 1 &&
                  layout_.bodies[static_cast<std::size_t>(i - 1)].s.size() == 1;
-    if (!is_chain) throw InputError("uniform_chain: found another scene; allowed: equal masses on a line, parameters k, c");
+    if (!is_chain)
+      throw InputError("uniform_chain: found another scene; allowed: equal masses on a line, parameters k, c");
     stiffness_ = k / system.body(1).m;
     damping_ = c / system.body(1).m;
   }
 
   void compare(const integrate::Row& row) override {
-    const std::vector<Real> place = summed(row.x, &scene::BodyLayout::s), speed = summed(row.y, &scene::BodyLayout::sdot);
+    const std::vector<Real> place = summed(row.x, &scene::BodyLayout::s),
+                            speed = summed(row.y, &scene::BodyLayout::sdot);
     if (row.t == 0) begin(place, speed);
     for (int i = 1; i <= n_; ++i) {
       Motion expected{0, 0};
       for (int j = 1; j <= n_; ++j) {
         const auto [q0, v0] = start_[static_cast<std::size_t>(j - 1)];
         const Real eigenvalue = 4 * std::pow(std::sin(phase(j) / 2), 2);
-        const Motion mode =
-            oscillation(damping_ * eigenvalue / 2, std::sqrt(stiffness_ * eigenvalue), q0, v0, row.t);
+        const Motion mode = oscillation(damping_ * eigenvalue / 2, std::sqrt(stiffness_ * eigenvalue), q0, v0, row.t);
         expected.q += mode.q * std::sin(i * phase(j));
         expected.v += mode.v * std::sin(i * phase(j));
       }
@@ -68,10 +69,12 @@ class UniformChain final : public Answer {
   }
 
  private:
-  Real phase(int j) const { return std::numbers::pi_v<Real> * static_cast<Real>(2 * j - 1) / static_cast<Real>(2 * n_ + 1); }
+  Real phase(int j) const {
+    return std::numbers::pi_v<Real> * static_cast<Real>(2 * j - 1) / static_cast<Real>(2 * n_ + 1);
+  }
 
   // Displacements of the masses from those along the joints.
-  std::vector<Real> summed(std::span<const double> values, std::vector<int> scene::BodyLayout::* at) const {
+  std::vector<Real> summed(std::span<const double> values, std::vector<int> scene::BodyLayout::*at) const {
     std::vector<Real> list;
     Real sum = 0;
     for (const scene::BodyLayout& body : layout_.bodies)
