@@ -3,7 +3,7 @@
 
 # Compiler and build tools, then the libraries, then what the tools call at run time.
 packages="g++ cmake ninja-build pkg-config
-  libginac-dev libeigen3-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libsundials-dev
+  libginac-dev libeigen3-dev libfmt-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libsundials-dev libsuitesparse-dev
   libbenchmark-dev libgtest-dev libgmock-dev
   gnuplot-nox"
 

@@ -5,6 +5,7 @@
 
 #include "generator/candidates.hpp"
 #include "generator/emit/header.hpp"
+#include "generator/emit/taylor.hpp"
 #include "generator/reach.hpp"
 #include "generator/regular.hpp"
 #include "runtime/base/hash.hpp"
@@ -49,12 +50,13 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   std::string batch = emit::emit_batch(model, program);
+  std::string taylor = options.with_taylor ? emit::emit_taylor(model, program) : "";
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
   if (!source.empty()) replace_all(header, source, scene.source);
-  replace_all(abi, mark, hash);
-  replace_all(batch, mark, hash);
-  return {program, scene.name, hash, std::move(header), std::move(abi), std::move(batch), std::move(notes)};
+  for (std::string* text : {&abi, &batch, &taylor}) replace_all(*text, mark, hash);
+  return {program,           scene.name,      hash, std::move(header), std::move(abi), std::move(batch),
+          std::move(taylor), std::move(notes)};
 }
 
 std::string version() { return KANEC_VERSION; }

@@ -19,6 +19,7 @@ struct GenerateOptions {
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
   int longest_line = emit::Model{}.longest_line;
+  bool with_taylor = false;  // Generated::taylor
 };
 
 struct Generated {
@@ -28,6 +29,7 @@ struct Generated {
   std::string header;  // <name>.hpp
   std::string abi;     // <name>_abi.cpp
   std::string batch;   // <name>_batch.cpp
+  std::string taylor;  // <name>_taylor.hpp, where asked for and the functions have all rates in one
   std::vector<std::string> notes = {};  // on what was asked for, for the user
 };
 

@@ -27,7 +27,8 @@ void insert(std::vector<std::string>& list, const std::string& name) {
 
 // What a scene that lacks this function is without; empty of a name that no scene has.
 std::string lacking(const std::string& function) {
-  if (function == "power" || function == "load_powers") return "applied loads";
+  if (function == "power" || function == "power_x" || function == "power_y" || function == "load_powers")
+    return "applied loads";
   if (function == "accelerations_u" || function == "input_matrix") return "inputs";
   return function == "driving_loads" ? "locked or prescribed coordinates" : "";
 }

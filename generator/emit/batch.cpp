@@ -4,6 +4,7 @@
 #include "generator/emit/description.hpp"
 #include "generator/emit/header.hpp"
 #include "generator/emit/signature.hpp"
+#include "generator/emit/taylor.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -30,16 +31,6 @@ std::string traits(const program::Program& program, const program::Function& fun
          "      [[maybe_unused]] const Lane* u, Lane* out) noexcept {\n    model::" +
          function.name + "(" + list.values("prepared", "model::Inputs<Lane>" + spread("u", used.inputs.size()), "out") +
          ");\n  }\n};\n\n";
-}
-
-// The function that gives all rates of a state at once; null where there is none.
-const program::Function* rates(const program::Program& program) {
-  const program::Function* found = nullptr;
-  for (const program::Function& function : program.functions) {
-    if (function.name == "kinematics_and_accelerations" && found == nullptr) found = &function;
-    if (function.name == "kinematics_and_accelerations_and_power") found = &function;
-  }
-  return found;
 }
 
 std::string rk4(const program::Function* rates) {

@@ -53,8 +53,7 @@ bool selects(const program::Program& program) {
                      [](const program::Node& node) { return std::holds_alternative<program::Select>(node); });
 }
 
-std::string selection(const program::Program& program) {
-  if (!selects(program)) return "";
+std::string selection() {
   return "// a where the condition holds, else b. Scalars whose comparison gives no bool bring a select of their own.\n"
          "template <class T>\nconstexpr T select(bool condition, const T& a, const T& b) noexcept {\n"
          "  return condition ? a : b;\n}\n\n";

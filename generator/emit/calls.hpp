@@ -23,7 +23,7 @@ std::string includes(const program::Program& program);
 // Whether anything in the program chooses between two values.
 bool selects(const program::Program& program);
 
-// The header's select(condition, a, b) for scalars whose comparison gives a bool; empty where nothing chooses.
-std::string selection(const program::Program& program);
+// The function template select(condition, a, b) for scalars whose comparison gives a bool.
+std::string selection();
 
 }  // namespace kanec::emit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/description.hpp"
 
+#include "generator/emit/sparsity.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
 
@@ -48,14 +49,15 @@ std::string attitude_list(const scene::Scene& scene) {
 
 namespace {
 
-std::string description(const Model& model, std::size_t n_functions, bool callable) {
+std::string description(const Model& model, std::size_t n_functions, std::size_t n_patterns, bool callable) {
   const scene::Scene& scene = *model.scene;
   return "const kanec_model description = {\n    KANEC_ABI_VERSION, sizeof(kanec_model), \"" + scene.name + "\", \"" +
          model.hash + "\", model::n_bodies, model::nx, model::ny,\n    model::n_parameters, model::n_inputs, " +
          std::to_string(n_functions) +
          ", parameter_names, parameter_defaults, input_names,\n    input_defaults, sizeof(Prepared), " +
          (callable ? "prepare" : "nullptr") + ", functions, coordinate_names, speed_names,\n    " +
-         std::to_string(attitudes(scene).size()) + ", attitudes};\n\n";
+         std::to_string(attitudes(scene).size()) + ", attitudes, " +
+         (callable ? "n_taylor, taylor, " : "0, nullptr, ") + std::to_string(n_patterns) + ", patterns};\n\n";
 }
 
 }  // namespace
@@ -63,16 +65,17 @@ std::string description(const Model& model, std::size_t n_functions, bool callab
 std::string described(const Model& model, const program::Program& program, const Used& read, bool callable) {
   std::string text = "const kanec_function functions[] = {\n";
   const std::vector<program::Ledger> costs = program::ledgers(program);
+  const PatternTable patterns = pattern_table(program);
   for (std::size_t i = 0; i < costs.size(); ++i)
     text += record(program.functions[i], costs[i], callable ? program.functions[i].name : "nullptr");
   return text + "};\n\n" + named_lists("parameter", read.parameters) + named_lists("input", read.inputs) +
          name_list("coordinate", coordinate_names(*model.scene)) + name_list("speed", speed_names(*model.scene)) +
-         attitude_list(*model.scene) + "\n" + description(model, costs.size(), callable);
+         attitude_list(*model.scene) + patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
 }
 
-std::string spread(const std::string& array, std::size_t count) {
+std::string spread(const std::string& array, std::size_t count, const std::string& close) {
   std::string text = "{";
-  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + array + "[" + std::to_string(i) + "]";
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + array + "[" + std::to_string(i) + "]" + close;
   return text + "}";
 }
 

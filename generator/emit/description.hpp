@@ -11,8 +11,8 @@
 
 namespace kanec::emit {
 
-// "{values[0], values[1]}" for the fields of a struct.
-std::string spread(const std::string& array, std::size_t count);
+// "{values[0], values[1]}" for the fields of a struct; with `close` behind each.
+std::string spread(const std::string& array, std::size_t count, const std::string& close = "");
 
 // The file's first lines, up to the anonymous namespace in which `model` is the header's; `what`: "in double".
 std::string begin(const scene::Scene& scene, const std::string& what, const std::string& includes);

@@ -40,7 +40,7 @@ std::string emit_header(const Model& model, const program::Program& program) {
   std::string text = preamble(model, program, read, costs) + memory(program, how) + "#pragma once\n\n" + included +
                      (included.empty() ? "" : "\n") + "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
                      "inline constexpr char model_hash[] = \"" + model.hash + "\";\n\n" + state_constants(scene) +
-                     selection(program);
+                     (selects(program) ? selection() : "");
   text += sparsity(program);
   text += preparation.text;
   for (std::size_t i = 0; i < costs.size(); ++i)

@@ -53,9 +53,7 @@ std::string text_of(const Pattern& pattern) {
          list(pattern.name + "_columns", column_of) + "\n";
 }
 
-}  // namespace
-
-std::string sparsity(const program::Program& program) {
+std::vector<Pattern> patterns_of(const program::Program& program) {
   std::vector<Pattern> patterns;
   for (const program::Function& function : program.functions) {
     if (!function.placements.empty()) continue;
@@ -65,9 +63,28 @@ std::string sparsity(const program::Program& program) {
       entries += result.count;
     }
   }
+  return patterns;
+}
+
+}  // namespace
+
+std::string sparsity(const program::Program& program) {
   std::string text;
-  for (const Pattern& pattern : patterns) text += text_of(pattern);
+  for (const Pattern& pattern : patterns_of(program)) text += text_of(pattern);
   return text;
+}
+
+PatternTable pattern_table(const program::Program& program) {
+  PatternTable table{"const kanec_pattern patterns[] = {\n", 0};
+  for (const Pattern& pattern : patterns_of(program)) {
+    const std::string of = "model::" + pattern.name;
+    table.text += "    {\"" + pattern.name + "\", " +
+                  std::to_string(static_cast<program::Index>(pattern.zero.size()) / pattern.columns) + ", " +
+                  std::to_string(pattern.columns) + ", " + of + "_nonzeros, " + of + "_rows, " + of + "_columns},\n";
+    ++table.size;
+  }
+  table.text += "    {nullptr, 0, 0, 0, nullptr, nullptr}};\n";
+  return table;
 }
 
 }  // namespace kanec::emit

@@ -74,7 +74,7 @@ void Statements::define(const std::string& label, Ref ref) {
   const bool is_operation = operands(program_.nodes[at(ref.node)]).count > 0;
   if (!needs(ref) || has_name(ref) || stage != stage_ || !is_operation || written_[at(ref.node)]) return;
   make_temporaries(ref.node);
-  const Text t = operation(program_.nodes[at(ref.node)]);
+  const Term t = operation(program_.nodes[at(ref.node)]);
   const Name given{ref.negative != t.negative ? "minus_" + label : label, t.negative};
   line("const T " + given.text + " = " + t.text + ";");
   defined_.push_back(given.text);
@@ -87,9 +87,9 @@ std::string Statements::value(Ref ref) {
     const std::string label = prefix_ + std::to_string(++temporaries_[prefix_]);
     define(label, {ref.node, false});
   }
-  Text t = expression(ref.node);
+  Term t = expression(ref.node);
   t.negative = t.negative != ref.negative;
-  return text(t);
+  return emit::text(t);
 }
 
 // Names for what stands below this node and is used more than once, operands first.
@@ -104,7 +104,7 @@ void Statements::make_temporaries(Index node) {
   }
 }
 
-Statements::Text Statements::expression(Index node) {
+Term Statements::expression(Index node) {
   const auto known = names_.find(node);
   if (known != names_.end()) {
     if (stages_[at(node)] == stage_) used_.push_back(known->second.text);
@@ -114,37 +114,33 @@ Statements::Text Statements::expression(Index node) {
   return operation(program_.nodes[at(node)]);
 }
 
-Statements::Text Statements::operation(const Node& node) {
+Term Statements::operation(const Node& node) {
   return std::visit(program::Overloaded{
-                        [&](const program::Constant& op) -> Text {
+                        [&](const program::Constant& op) -> Term {
                           const double value = op.value.rounded();
                           return {"T(" + literal(std::abs(value)) + ")", 2, value < 0};
                         },
-                        [&](const program::Variable& op) -> Text {
+                        [&](const program::Variable& op) -> Term {
                           variables_.push_back(op);
                           return {variable_name(program_, op, stage_), 2, false};
                         },
                         [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
                         [&](const program::Subtract& op) {
-                          Text b = expression(op.b);
-                          b.negative = !b.negative;
-                          return sum(expression(op.a), std::move(b));
+                          Term b = expression(op.b);
+                          return sum(expression(op.a), negated(std::move(b)));
                         },
                         [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
-                        [&](const program::Divide& op) -> Text {
-                          const Text a = expression(op.a);
-                          const Text b = expression(op.b);
-                          const std::string over = a.level < 1 ? "(" + a.text + ")" : a.text;
-                          const std::string under = b.level < 2 ? "(" + b.text + ")" : b.text;
-                          return {over + " / " + under, 1, a.negative != b.negative};
+                        [&](const program::Divide& op) {
+                          const Term a = expression(op.a);
+                          return quotient(a, expression(op.b));
                         },
-                        [&](const program::SquareRoot& op) -> Text {
+                        [&](const program::SquareRoot& op) -> Term {
                           return {"sqrt(" + argument(op.a) + ")", 2, false};
                         },
                         [&](const program::Sine& op) { return turn("sines", "sin", op.a); },
                         [&](const program::Cosine& op) { return turn("cosines", "cos", op.a); },
                         [&](const program::UnaryCall& op) { return call(op); },
-                        [&](const program::BinaryCall& op) -> Text {
+                        [&](const program::BinaryCall& op) -> Term {
                           const std::string first = argument(op.a);
                           return {program::name(op.function) + ("(" + first) + ", " + argument(op.b) + ")", 2, false};
                         },
@@ -153,24 +149,7 @@ Statements::Text Statements::operation(const Node& node) {
                     node);
 }
 
-// Keeps the association of the program: a sum on the right stands in parentheses, unless the two can change places.
-Statements::Text Statements::sum(Text a, Text b) {
-  const bool both = a.negative && b.negative;
-  if (a.negative && !both) std::swap(a, b);
-  const bool minus = b.negative && !both;
-  if (!minus && b.level == 0 && a.level > 0) std::swap(a, b);
-  const std::string right = b.level == 0 ? "(" + b.text + ")" : b.text;
-  return {a.text + (minus ? " - " : " + ") + right, 0, both};
-}
-
-Statements::Text Statements::product(Text a, Text b) {
-  if (b.level == 1 && a.level != 1) std::swap(a, b);
-  const std::string left = a.level == 0 ? "(" + a.text + ")" : a.text;
-  const std::string right = b.level < 2 ? "(" + b.text + ")" : b.text;
-  return {left + " * " + right, 1, a.negative != b.negative};
-}
-
-Statements::Text Statements::call(const program::UnaryCall& op) {
+Term Statements::call(const program::UnaryCall& op) {
   const char* name = program::name(op.function);
   switch (op.function) {
     case program::Unary::tan:
@@ -187,34 +166,24 @@ Statements::Text Statements::call(const program::UnaryCall& op) {
   return {name + ("(" + argument(op.a) + ")"), 2, false};
 }
 
-Statements::Text Statements::turn(const char* array, const char* function, Index a) {
+Term Statements::turn(const char* array, const char* function, Index a) {
   const auto taken = turns_.find(a);
   if (taken != turns_.end()) return {array + taken->second, 2, false};
   return function[0] == 's' ? odd(function, a) : even(function, a);
 }
 
 // A sign costs nothing where the function is odd or even.
-Statements::Text Statements::odd(const char* function, Index a) {
-  const Text t = expression(a);
+Term Statements::odd(const char* function, Index a) {
+  const Term t = expression(a);
   return {function + ("(" + t.text + ")"), 2, t.negative};
 }
 
-Statements::Text Statements::even(const char* function, Index a) {
-  return {function + ("(" + expression(a).text + ")"), 2, false};
-}
+Term Statements::even(const char* function, Index a) { return {function + ("(" + expression(a).text + ")"), 2, false}; }
 
-Statements::Text Statements::selection(const program::Select& op) {
-  const Text sign = expression(op.sign);
-  const bool is_sum = sign.level == 0;
-  const std::string value = is_sum ? "(" + sign.text + ")" : sign.text;
-  const std::string condition = sign.negative ? "T(0) < " + value : value + " < T(0)";
+Term Statements::selection(const program::Select& op) {
+  const Term sign = expression(op.sign);
   const std::string first = argument(op.a);
-  return {"select(" + condition + ", " + first + ", " + argument(op.b) + ")", 2, false};
-}
-
-std::string Statements::text(const Text& t) const {
-  if (!t.negative) return t.text;
-  return t.level == 0 ? "-(" + t.text + ")" : "-" + t.text;
+  return {"select(" + below_zero(sign) + ", " + first + ", " + argument(op.b) + ")", 2, false};
 }
 
 void Statements::line(const std::string& text) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/emit/term.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
@@ -61,26 +62,17 @@ class Statements {
   std::vector<std::string> take_used();
 
  private:
-  struct Text {
-    std::string text;
-    int level;  // 0 sum, 1 product, 2 single
-    bool negative;
-  };
-
   static std::size_t at(program::Index index) { return static_cast<std::size_t>(index); }
   void count_uses(const std::vector<program::Ref>& roots);
   void make_temporaries(program::Index node);
-  Text expression(program::Index node);
-  Text operation(const program::Node& node);
-  Text sum(Text a, Text b);
-  Text product(Text a, Text b);
-  Text call(const program::UnaryCall& op);
-  Text turn(const char* array, const char* function, program::Index a);
-  Text odd(const char* function, program::Index a);
-  Text even(const char* function, program::Index a);
-  Text selection(const program::Select& op);
+  Term expression(program::Index node);
+  Term operation(const program::Node& node);
+  Term call(const program::UnaryCall& op);
+  Term turn(const char* array, const char* function, program::Index a);
+  Term odd(const char* function, program::Index a);
+  Term even(const char* function, program::Index a);
+  Term selection(const program::Select& op);
   std::string argument(program::Index a) { return text(expression(a)); }
-  std::string text(const Text& t) const;
 
   const program::Program& program_;
   const std::vector<program::Stage>& stages_;

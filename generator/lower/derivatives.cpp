@@ -7,6 +7,7 @@
 #include "generator/lower/directions.hpp"
 #include "generator/lower/implicit.hpp"
 #include "generator/program/derivative.hpp"
+#include "generator/symbolic/functions.hpp"
 
 namespace kanec::lower {
 
@@ -19,9 +20,12 @@ using symbolic::Derivatives;
 
 namespace {
 
+// Of the rates of coordinates and of the work there are no equations to be differentiated, but few operations.
+bool has_equations(const std::string& of) { return of == "residual" || of == "accelerations"; }
+
 program::Function derivative(Program& program, const scene::Scene& scene, const std::string& of,
                              const std::string& what, Derivatives way) {
-  if (way == Derivatives::equations) return derivative_by_equations(program, scene, of, what);
+  if (way == Derivatives::equations && has_equations(of)) return derivative_by_equations(program, scene, of, what);
   const std::vector<Column> columns = columns_by(program, scene, what);
   const program::Function function = find(program, of);
   return program::jacobian(program, function, columns);
@@ -70,77 +74,41 @@ program::Function input_matrix(Program& program, const scene::Scene& scene, Deri
 std::vector<Derived> derived_functions(const scene::Scene& scene) {
   const scene::Layout layout(scene);
   const int nx = layout.nx, ny = layout.ny, nu = static_cast<int>(scene.inputs.size());
-  const auto signature = [](const std::string& out, bool ydot, const std::string& shape, int columns) {
-    return program::Signature{true, true, ydot, true, out, out + " (" + shape + ")", columns};
+  const auto matrix = [](const std::string& name, const std::string& meaning, const std::string& of,
+                         const std::string& by, int rows, int columns, const std::string& out,
+                         const std::string& shape) {
+    program::Signature signature{true,   true, of == "residual", of != "kinematics", out, out + " (" + shape + ")",
+                                 columns};
+    signature.by_inputs = by == "u";
+    return Derived{name, meaning, of, {by}, rows, columns, signature};
   };
+  const std::string along = "; of Euler parameters along their unit sphere";
+  const std::string tangent = " by the tangent xi of x: of a ball a small turn, body axes; else as x";
+  const std::string r = "residual", a = "accelerations", k = "kinematics", p = "power";
   std::vector<Derived> list = {
-      {"residual_x",
-       "derivative of r by x; of Euler parameters along their unit sphere",
-       "residual",
-       {"x"},
-       ny,
-       nx,
-       signature("r_x", true, "ny x nx", nx)},
-      {"residual_y", "derivative of r by y", "residual", {"y"}, ny, ny, signature("r_y", true, "ny x ny", ny)},
-      {"residual_ydot",
-       "derivative of r by ydot",
-       "residual",
-       {"ydot"},
-       ny,
-       ny,
-       signature("r_ydot", true, "ny x ny", ny)},
-      {"residual_xi",
-       "derivative of r by the tangent xi of x: of a ball a small turn, body axes; else as x",
-       "residual",
-       {"xi"},
-       ny,
-       ny,
-       signature("r_xi", true, "ny x ny", ny)},
-      {"accelerations_x",
-       "derivative of ydot by x; of Euler parameters along their unit sphere",
-       "accelerations",
-       {"x"},
-       ny,
-       nx,
-       signature("ydot_x", false, "ny x nx", nx)},
-      {"accelerations_y",
-       "derivative of ydot by y",
-       "accelerations",
-       {"y"},
-       ny,
-       ny,
-       signature("ydot_y", false, "ny x ny", ny)},
-      {"accelerations_xi",
-       "derivative of ydot by the tangent xi of x: of a ball a small turn, body axes; else as x",
-       "accelerations",
-       {"xi"},
-       ny,
-       ny,
-       signature("ydot_xi", false, "ny x ny", ny)},
-      {"state_matrix",
-       "S of d(xi, y)/dt = S (xi, y) for small changes; xi: of a ball a turn, body axes; else as x",
-       "accelerations",
-       {"xi", "y"},
-       2 * ny,
-       2 * ny,
-       signature("S", false, "2 ny x 2 ny", 2 * ny)}};
-  if (nu > 0) {
-    list.push_back({"accelerations_u",
-                    "derivative of ydot by the inputs",
-                    "accelerations",
-                    {"u"},
-                    ny,
-                    nu,
-                    signature("ydot_u", false, "ny x n_inputs", nu)});
-    list.push_back({"input_matrix",
-                    "rates of (xi, y) for small changes of the inputs",
-                    "accelerations",
-                    {"u"},
-                    2 * ny,
-                    nu,
-                    signature("B", false, "2 ny x n_inputs", nu)});
+      matrix("residual_x", "derivative of r by x" + along, r, "x", ny, nx, "r_x", "ny x nx"),
+      matrix("residual_y", "derivative of r by y", r, "y", ny, ny, "r_y", "ny x ny"),
+      matrix("residual_ydot", "derivative of r by ydot", r, "ydot", ny, ny, "r_ydot", "ny x ny"),
+      matrix("residual_xi", "derivative of r" + tangent, r, "xi", ny, ny, "r_xi", "ny x ny"),
+      matrix("accelerations_x", "derivative of ydot by x" + along, a, "x", ny, nx, "ydot_x", "ny x nx"),
+      matrix("accelerations_y", "derivative of ydot by y", a, "y", ny, ny, "ydot_y", "ny x ny"),
+      matrix("accelerations_xi", "derivative of ydot" + tangent, a, "xi", ny, ny, "ydot_xi", "ny x ny"),
+      matrix("kinematics_x", "derivative of xdot by x, at constant y", k, "x", nx, nx, "xdot_x", "nx x nx"),
+      matrix("kinematics_y", "derivative of xdot by y", k, "y", nx, ny, "xdot_y", "nx x ny"),
+      matrix("state_matrix",
+             "S of d(xi, y)/dt = S (xi, y) for small changes; xi: of a ball a turn, body axes; else as x", a, "xi",
+             2 * ny, 2 * ny, "S", "2 ny x 2 ny")};
+  list.back().by = {"xi", "y"};
+  if (symbolic::has_loads(scene)) {
+    list.push_back(matrix("power_x", "derivative of the power by x" + along, p, "x", 1, nx, "power_by_x", "1 x nx"));
+    list.push_back(matrix("power_y", "derivative of the power by y", p, "y", 1, ny, "power_by_y", "1 x ny"));
   }
-  for (Derived& derived : list) derived.signature.by_inputs = derived.by == std::vector<std::string>{"u"};
+  if (nu > 0) {
+    list.push_back(
+        matrix("accelerations_u", "derivative of ydot by the inputs", a, "u", ny, nu, "ydot_u", "ny x n_inputs"));
+    list.push_back(matrix("input_matrix", "rates of (xi, y) for small changes of the inputs", a, "u", 2 * ny, nu, "B",
+                          "2 ny x n_inputs"));
+  }
   return list;
 }
 
@@ -166,7 +134,7 @@ void append_derived(Program& program, const scene::Scene& scene, const Derived& 
 }
 
 std::vector<std::string> parts_of(const Derived& derived, Derivatives way) {
-  if (way == Derivatives::operations) return {derived.of};
+  if (way == Derivatives::operations || !has_equations(derived.of)) return {derived.of};
   std::vector<std::string> parts;
   for (const std::string& by : derived.by)
     for (const std::string& part : parts_for(derived.of, by)) parts.push_back(part);

@@ -53,7 +53,33 @@ void check_count(double duration, double interval, double most, const std::strin
          "at most " + shortest(most) + " " + what + " in the duration, " + shortest(duration));
 }
 
+void check_choice(const std::string& value, const std::vector<std::string>& known, const Place& place) {
+  if (std::find(known.begin(), known.end(), value) == known.end()) fail(place, in_quotes(value), one_of(known, value));
+}
+
+// Of the methods that have one.
+void check_order(const Simulation& simulation, const Place& place) {
+  const std::vector<int> of_explicit = {0, 4, 5, 6, 8}, of_implicit = {0, 2, 3, 4, 5};
+  const bool is_implicit = simulation.integrator == "arkode_dirk";
+  if (!is_implicit && simulation.integrator != "arkode") return;
+  const std::vector<int>& known = is_implicit ? of_implicit : of_explicit;
+  if (std::find(known.begin(), known.end(), simulation.order) != known.end()) return;
+  fail(place, std::to_string(simulation.order), std::string(is_implicit ? "2, 3, 4, 5" : "4, 5, 6, 8") + ", or 0");
+}
+
 }  // namespace
+
+const std::vector<std::string>& simulation_integrators() {
+  static const std::vector<std::string> names = {"rk4",    "lie4",        "gauss4",         "gauss6",
+                                                 "arkode", "arkode_dirk", "cvode",          "cvode_bdf",
+                                                 "ida",    "taylor",      "taylor_extended"};
+  return names;
+}
+
+const std::vector<std::string>& simulation_jacobians() {
+  static const std::vector<std::string> names = {"auto", "dense", "sparse", "differences"};
+  return names;
+}
 
 void check_mass(const Number& mass, const Symbols& symbols, const Place& place) {
   const double value = symbols.value(mass);
@@ -90,9 +116,9 @@ void check_simulation(const Simulation& simulation, const PlaceOf& place_of) {
     fail(place_of("absolute_tolerance"), shortest(simulation.absolute_tolerance), "a positive number below 1");
   if (simulation.relative_tolerance < tightest_relative || simulation.relative_tolerance >= 1)
     fail(place_of("relative_tolerance"), shortest(simulation.relative_tolerance), "from 1e-15 to below 1");
-  const std::vector<std::string> integrators = {"rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf"};
-  if (std::find(integrators.begin(), integrators.end(), simulation.integrator) == integrators.end())
-    fail(place_of("integrator"), in_quotes(simulation.integrator), one_of(integrators, simulation.integrator));
+  check_choice(simulation.integrator, simulation_integrators(), place_of("integrator"));
+  check_choice(simulation.jacobian, simulation_jacobians(), place_of("jacobian"));
+  check_order(simulation, place_of("order"));
 }
 
 }  // namespace kanec::scene

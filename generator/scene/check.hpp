@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/scene/place.hpp"
 #include "generator/scene/scene.hpp"
@@ -24,6 +25,10 @@ std::optional<std::string> inertia_warning(const Symmetric& inertia, bool one_di
 
 // Where the setting of a key of Simulation stands: in a file, or on a command line.
 using PlaceOf = std::function<Place(const std::string& key)>;
+
+// Their names, in order.
+const std::vector<std::string>& simulation_integrators();
+const std::vector<std::string>& simulation_jacobians();
 
 // Refuses settings that no integrator can follow. Throws SceneError.
 void check_simulation(const Simulation& simulation, const PlaceOf& place_of);

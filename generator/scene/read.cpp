@@ -104,7 +104,8 @@ Simulation read_simulation(const Table& root) {
   const std::optional<Node> node = root.find("simulate");
   if (!node) return out;
   const Table table(*node, "simulate.");
-  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance"});
+  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance", "jacobian",
+              "order"});
   const auto real = [&table](const char* key, double& value) {
     if (const auto found = table.find(key)) value = found->real("a positive number");
   };
@@ -113,7 +114,12 @@ Simulation read_simulation(const Table& root) {
   real("step", out.step);
   real("relative_tolerance", out.relative_tolerance);
   real("absolute_tolerance", out.absolute_tolerance);
-  if (const auto found = table.find("integrator")) out.integrator = found->text("rk4, gauss4, gauss6, arkode, cvode, cvode_bdf");
+  const auto name = [&table](const char* key, const std::vector<std::string>& known, std::string& value) {
+    if (const auto found = table.find(key)) value = found->text(one_of(known, ""));
+  };
+  name("integrator", simulation_integrators(), out.integrator);
+  name("jacobian", simulation_jacobians(), out.jacobian);
+  if (const auto found = table.find("order")) out.order = found->integer("an order, or 0");
   check_simulation(out, [&table](const std::string& key) {
     const auto found = table.find(key);
     Place place = found ? found->place() : table.place();

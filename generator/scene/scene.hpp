@@ -44,10 +44,12 @@ struct Body {
 struct Simulation {
   double duration = 10.0;             // [s]
   double output_step = 0.01;          // between rows of the trajectory [s]
-  std::string integrator = "arkode";  // rk4, gauss4, gauss6, arkode, cvode, cvode_bdf
-  double step = 0.001;                // of rk4, gauss4, gauss6 [s]
-  double relative_tolerance = 1e-9;   // of arkode and cvode
+  std::string integrator = "arkode";  // check.hpp has all
+  double step = 0.001;                // of those with fixed steps [s]
+  double relative_tolerance = 1e-9;   // of the others
   double absolute_tolerance = 1e-12;
+  std::string jacobian = "auto";  // of arkode_dirk, cvode_bdf, ida
+  int order = 0;                  // of arkode and arkode_dirk; 0: by itself
 };
 
 // How `kanec simulate --ensemble scene` draws scenarios: each name's value anew for every scenario, all others as the

@@ -5,12 +5,6 @@
 namespace kanec::symbolic {
 namespace {
 
-bool has_loads(const scene::Scene& scene) {
-  for (const scene::Body& body : scene.bodies)
-    if (!scene::is_zero(body.force) || !scene::is_zero(body.moment)) return true;
-  return !scene.loads.empty();
-}
-
 int n_load_powers(const scene::Scene& scene) {
   int n = static_cast<int>(scene.loads.size());
   for (const scene::Body& body : scene.bodies) n += !scene::is_zero(body.force) || !scene::is_zero(body.moment);
@@ -105,6 +99,12 @@ class List {
 };
 
 }  // namespace
+
+bool has_loads(const scene::Scene& scene) {
+  for (const scene::Body& body : scene.bodies)
+    if (!scene::is_zero(body.force) || !scene::is_zero(body.moment)) return true;
+  return !scene.loads.empty();
+}
 
 std::vector<Function> functions(const scene::Scene& scene) { return List(scene).all(); }
 

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-#define KANEC_ABI_VERSION 3u
+#define KANEC_ABI_VERSION 4u
 
 /* One evaluation. Every emitted function has this shape; arguments that it does not read may be null.
    The results of a combined function stand one after another in out.
@@ -32,6 +32,24 @@ typedef struct kanec_attitude {
   int32_t eps, omega;
 } kanec_attitude;
 
+/* Taylor series of the motion in one kind of scalar. Scalars stand in its own arrays; nothing is allocated. */
+typedef struct kanec_taylor {
+  int32_t scalar_size;   /* sizeof(double), or of long double */
+  int32_t size;          /* nx + ny, or one more: the work of the loads, where the model has their power */
+  int32_t highest_order;
+  size_t prepared_size, work_size, alignment; /* bytes, of prepared parameters and of work */
+  void (*prepare)(const double* parameters, void* prepared);
+  /* z[k * size + i]: coefficient k of entry i of (x, y, work) in the time since t, k = 0 ... order; k = 0 is given.
+     1 <= order <= highest_order; work need not be initialised, and holds nothing between calls. */
+  void (*coefficients)(const void* prepared, double t, const double* u, int32_t order, void* z, void* work);
+} kanec_taylor;
+/* Entries of a matrix that are not always 0, row by row; wherever a function of the model returns that matrix. */
+typedef struct kanec_pattern {
+  const char* name; /* "accelerations_x" */
+  int32_t rows, columns, nonzeros;
+  const int32_t *row_of, *column_of; /* (nonzeros) */
+} kanec_pattern;
+
 typedef struct kanec_model {
   uint32_t abi_version; /* KANEC_ABI_VERSION */
   uint32_t struct_size; /* sizeof(kanec_model) */
@@ -49,6 +67,10 @@ typedef struct kanec_model {
   const char* const* speed_names;      /* (ny): "thetadot_3" */
   int32_t n_attitudes;
   const kanec_attitude* attitudes; /* (n_attitudes) */
+  int32_t n_taylor;
+  const kanec_taylor* taylor; /* (n_taylor): none unless the model was compiled with KANEC_TAYLOR */
+  int32_t n_patterns;
+  const kanec_pattern* patterns; /* (n_patterns) */
 } kanec_model;
 
 /* The one symbol that a compiled model exports. */

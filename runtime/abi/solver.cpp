@@ -18,7 +18,8 @@ Solver::Solver(const kanec_model& model)
 
 void Solver::set_parameters(std::span<const double> parameters) {
   if (parameters.size() != static_cast<std::size_t>(model_->n_parameters)) throw InputError("wrong number of parameters");
-  model_->prepare(parameters.data(), prepared_.data());
+  parameters_.assign(parameters.begin(), parameters.end());
+  model_->prepare(parameters_.data(), prepared_.data());
 }
 
 void Solver::set_inputs(std::span<const double> inputs) {
@@ -29,6 +30,12 @@ void Solver::set_inputs(std::span<const double> inputs) {
 const kanec_function* Solver::find(std::string_view name) const {
   for (const kanec_function& function : std::span(model_->functions, static_cast<std::size_t>(model_->n_functions)))
     if (name == function.name) return &function;
+  return nullptr;
+}
+
+const kanec_pattern* Solver::find_pattern(std::string_view name) const {
+  for (const kanec_pattern& pattern : std::span(model_->patterns, static_cast<std::size_t>(model_->n_patterns)))
+    if (name == pattern.name) return &pattern;
   return nullptr;
 }
 

@@ -33,6 +33,7 @@ namespace kanec {
 //   P_position, P_velocity, P_acceleration (x y ẏ u) -> of a named point P, inertial axes (3); P_jacobian -> ∂velocity/∂y (3 × ny)
 //   residual_x (ny × nx), residual_y, residual_ydot (ny × ny), accelerations_x (ny × nx), accelerations_y (ny × ny),
 //   accelerations_u (ny × inputs of the scene, read or not): derivatives of the emitted formulas
+//   kinematics_x (nx × nx), kinematics_y (nx × ny), power_x (1 × nx), power_y (1 × ny)
 //   residual_xi, accelerations_xi (ny × ny): by the tangent ξ: of a ball its rotation vector in body axes, else δx
 //   state_matrix (2ny × 2ny), input_matrix (2ny × inputs of the scene): of d/dt (δξ, δy)
 //   a_and_b                           -> results of a, then of b
@@ -44,10 +45,14 @@ class Solver {
   const kanec_model& model() const { return *model_; }
   void set_parameters(std::span<const double> parameters);  // runs prepare(); InputError unless n_parameters
   void set_inputs(std::span<const double> inputs);          // InputError unless n_inputs
+  std::span<const double> parameters() const { return parameters_; }
   std::span<const double> inputs() const { return inputs_; }
 
   // The function of that name, or nullptr where the model was emitted without it.
   const kanec_function* find(std::string_view name) const;
+
+  // The pattern of the matrix of that name, or nullptr where no function returns it.
+  const kanec_pattern* find_pattern(std::string_view name) const;
 
   // One evaluation with these parameters and inputs; arguments that `function` does not read may be null.
   void evaluate(const kanec_function& function, double t, const double* x, const double* y, const double* ydot,
@@ -57,7 +62,7 @@ class Solver {
 
  private:
   const kanec_model* model_;
-  std::vector<double> inputs_;
+  std::vector<double> parameters_, inputs_;
   std::vector<double> prepared_;  // double for its alignment
 };
 

@@ -62,13 +62,14 @@ class Engine {
  public:
   explicit Engine(const EnsembleJob& job)
       : options_{job.run, job.ensemble.keep_every}, in_lanes_(job.run.method == integrate::Method::rk4) {
-    const std::string rates = "kinematics+accelerations";
-    const std::vector<std::string> functions = {Functions(job.scene).has("power") ? rates + "+power" : rates, "energy"};
+    std::vector<std::string> functions =
+        needed_functions(job.run, Functions(job.scene).has("power"), n_coordinates(job.scene));
+    functions.emplace_back("energy");
     if (in_lanes_) {
       model_.emplace(build_batch(job.scene, functions, job.build));
       lanes_.emplace(model_->library.batch(), job.ensemble.threads);
     } else {
-      model_.emplace(build(job.scene, functions, job.build));
+      model_.emplace(build(job.scene, functions, job.build, integrate::needs_series(job.run.method)));
       workers_.emplace(job.ensemble.threads);
     }
   }

@@ -6,6 +6,7 @@
 
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/integrate/options.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -32,6 +33,10 @@ std::vector<std::string> parts_of_emitted(const std::string& name, const std::ve
   for (const std::string& request : requests)
     if (emitted_name(request) == name) return parts_of(request);
   return {name};
+}
+
+std::string all_rates(const scene::Scene& scene) {
+  return integrate::needed_functions({}, Functions(scene).has("power"), n_coordinates(scene)).front();
 }
 
 Functions::Functions(const scene::Scene& scene) : all_(available_functions(scene)) {}

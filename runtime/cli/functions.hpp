@@ -19,6 +19,9 @@ struct Needs {
 std::vector<std::string> parts_of(const std::string& request);
 std::string emitted_name(const std::string& request);  // "kinematics_and_accelerations"
 
+// kinematics+accelerations, with power where the scene has it: all that an integrator needs, in one call.
+std::string all_rates(const scene::Scene& scene);
+
 // The parts of an emitted function, where these were the requests: itself where none of them combines it.
 std::vector<std::string> parts_of_emitted(const std::string& name, const std::vector<std::string>& requests);
 

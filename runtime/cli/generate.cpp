@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -39,7 +40,8 @@ constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
   g++ -O2 fall.cpp && ./a.out
 
 The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
-written as well. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
+written as well; with --taylor <name>_taylor.hpp, which has the Taylor series of the motion: what --integrator taylor
+steps by. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
 struct Options {
   SceneArgument scene;
@@ -49,6 +51,7 @@ struct Options {
   std::string stage;
   emit::Optimize optimize = emit::Optimize::speed;
   bool abi = false;
+  bool taylor = false;
   bool json = false;
 };
 
@@ -98,21 +101,24 @@ std::deque<Product> open_products(const Options& options, const std::string& nam
                      "; allowed: one of them on standard output");
   const bool folder = means_folder(options.output);
   products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
-  if (!options.abi) return products;
+  if (!options.abi && !options.taylor) return products;
   if (!folder)
-    throw InputError("--output: found the file '" + options.output + "'; allowed with --abi: a folder, since " + name +
-                     "_abi.cpp includes " + name + ".hpp by that name");
-  products.emplace_back(fs::path(options.output) / (name + "_abi.cpp"));
-  products.emplace_back(fs::path(options.output) / "abi.h");
+    throw InputError("--output: found the file '" + options.output + "'; allowed with " +
+                     (options.abi ? "--abi" : "--taylor") + ": a folder, since the files include " + name +
+                     ".hpp by that name");
+  if (options.abi)
+    for (const std::string& file : {name + "_abi.cpp", std::string("abi.h")})
+      products.emplace_back(fs::path(options.output) / file);
+  if (options.taylor) products.emplace_back(fs::path(options.output) / (name + "_taylor.hpp"));
   return products;
 }
 
-void write(std::deque<Product>& products, const Generated& generated) {
-  products[0].write(generated.header);
-  if (products.size() > 1) {
-    products[1].write(generated.abi);
-    products[2].write(abi_text);
-  }
+void write(std::deque<Product>& products, const Options& options, const Generated& generated) {
+  std::vector<const std::string*> texts = {&generated.header};
+  const std::string abi_header = abi_text;
+  if (options.abi) texts.insert(texts.end(), {&generated.abi, &abi_header});
+  if (options.taylor) texts.push_back(&generated.taylor);
+  for (std::size_t i = 0; i < texts.size(); ++i) products[i].write(*texts[i]);
   for (Product& product : products) product.file.commit();
 }
 
@@ -159,15 +165,26 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
   return 0;
 }
 
+// With --taylor also all rates in one function, in front of those that are asked for or usual.
+std::vector<std::string> functions_of(const Options& options, const scene::Scene& scene) {
+  std::vector<std::string> chosen = Functions(scene).chosen(options.functions);
+  if (!options.taylor) return chosen;
+  if (chosen.empty()) chosen = requested_functions(scene, {});
+  const std::string rates = all_rates(scene);
+  if (std::find(chosen.begin(), chosen.end(), rates) == chosen.end()) chosen.insert(chosen.begin(), rates);
+  return chosen;
+}
+
 int generate_files(const Options& options) {
   const scene::Scene scene = load(options.scene);
-  const std::vector<std::string> functions = Functions(scene).chosen(options.functions);
+  const std::vector<std::string> functions = functions_of(options, scene);
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(scene, {functions, options.algorithm, options.optimize});
+  const Generated generated =
+      generate(scene, {functions, options.algorithm, options.optimize, emit::Model{}.longest_line, options.taylor});
   for (const std::string& note : generated.notes) remark("note: " + note);
-  write(products, generated);
+  write(products, options, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
   else
@@ -189,6 +206,7 @@ void add_generate(CLI::App& app, Action& action) {
       ->option_text("DIR/|FILE|-");
   add_optimize(*command, options->optimize);
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
+  command->add_flag("--taylor", options->taylor, "also <name>_taylor.hpp, the Taylor series of the motion");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")
       ->check(CLI::IsMember(stage_names()));

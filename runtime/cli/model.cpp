@@ -24,12 +24,16 @@ std::vector<std::string> words(const std::string& text) {
 
 compile::Source source_of(const Generated& generated, const scene::Scene& scene) {
   const std::string main = generated.name + "_abi.cpp";
-  return {generated.name,
-          generated.hash,
-          n_coordinates(scene),
-          n_speeds(scene),
-          {{generated.name + ".hpp", generated.header}, {main, generated.abi}},
-          main};
+  compile::Source source{generated.name,
+                         generated.hash,
+                         n_coordinates(scene),
+                         n_speeds(scene),
+                         {{generated.name + ".hpp", generated.header}, {main, generated.abi}},
+                         main};
+  if (generated.taylor.empty()) return source;
+  source.files.push_back({generated.name + "_taylor.hpp", generated.taylor});
+  source.flags = {"-DKANEC_TAYLOR"};
+  return source;
 }
 
 compile::Source batch_source_of(const Generated& generated, const scene::Scene& scene, const LaneArguments& lanes) {
@@ -94,8 +98,10 @@ compile::Options compile_options(const BuildArguments& arguments) {
 }
 
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildArguments& arguments) {
-  return build(scene, {functions, arguments.algorithm, arguments.optimize}, arguments, scene.name,
+                    const BuildArguments& arguments, bool with_taylor) {
+  GenerateOptions options{functions, arguments.algorithm, arguments.optimize};
+  options.with_taylor = with_taylor;
+  return build(scene, options, arguments, scene.name,
                [&](const Generated& generated) { return source_of(generated, scene); });
 }
 

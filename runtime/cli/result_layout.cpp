@@ -19,6 +19,13 @@ Names input_names(const Scene& scene) {
   return names;
 }
 
+// "epsdot_1_2"
+Names coordinate_rate_names(const Scene& scene) {
+  Names names = coordinate_names(scene);
+  for (std::string& name : names) name.insert(name.find('_'), "dot");
+  return names;
+}
+
 // ξ, then y.
 Names tangent_state_names(const Scene& scene) {
   Names names = tangent_names(scene);
@@ -83,11 +90,19 @@ const std::map<std::string, Builder>& builders() {
       {"partial_velocity_rates", [](const Scene& s) { return by_body_and_speed(s, "v_y_dot", "v"); }},
       {"partial_angular_velocities", [](const Scene& s) { return by_body_and_speed(s, "omega_y", "omega"); }},
       {"partial_angular_velocity_rates", [](const Scene& s) { return by_body_and_speed(s, "omega_y_dot", "omega"); }},
-      {"energy", [](const Scene&) { return Layout{"energy", {{"kinetic", {}, "J"}, {"potential", {}, "J"}}}; }},
+      {"energy",
+       [](const Scene&) {
+         return Layout{"energy", {{"kinetic", {}, "J"}, {"potential", {}, "J"}}};
+       }},
       {"momentum",
-       [](const Scene&) { return Layout{"momentum", {{"linear", {3}, "kg m/s"}, {"angular", {3}, "kg m^2/s"}}}; }},
+       [](const Scene&) {
+         return Layout{"momentum", {{"linear", {3}, "kg m/s"}, {"angular", {3}, "kg m^2/s"}}};
+       }},
       {"poses", poses},
-      {"power", [](const Scene&) { return Layout{"power", {{"applied", {}, "W"}}}; }},
+      {"power",
+       [](const Scene&) {
+         return Layout{"power", {{"applied", {}, "W"}}};
+       }},
       {"load_powers", load_powers},
       {"driving_loads", driving_loads_layout},
       {"reactions", reactions},
@@ -104,6 +119,12 @@ const std::map<std::string, Builder>& builders() {
        [](const Scene& s) { return matrix("accelerations_u", "ydot_u", speed_rate_names(s), input_names(s)); }},
       {"accelerations_xi",
        [](const Scene& s) { return matrix("accelerations_xi", "ydot_xi", speed_rate_names(s), tangent_names(s)); }},
+      {"kinematics_x",
+       [](const Scene& s) { return matrix("kinematics_x", "xdot_x", coordinate_rate_names(s), coordinate_names(s)); }},
+      {"kinematics_y",
+       [](const Scene& s) { return matrix("kinematics_y", "xdot_y", coordinate_rate_names(s), speed_names(s)); }},
+      {"power_x", [](const Scene& s) { return matrix("power_x", "power_by_x", {"power"}, coordinate_names(s)); }},
+      {"power_y", [](const Scene& s) { return matrix("power_y", "power_by_y", {"power"}, speed_names(s)); }},
       {"state_matrix",
        [](const Scene& s) { return matrix("state_matrix", "S", tangent_state_names(s), tangent_state_names(s)); }},
       {"input_matrix",

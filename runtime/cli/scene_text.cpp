@@ -126,8 +126,8 @@ class Writer {
   void write(const scene::Simulation& run) {
     text_ += fmt::format("\n[simulate]\nduration = {}\noutput_step = {}\nintegrator = \"{}\"\nstep = {}\n",
                          toml_real(run.duration), toml_real(run.output_step), run.integrator, toml_real(run.step));
-    text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\n", toml_real(run.relative_tolerance),
-                         toml_real(run.absolute_tolerance));
+    text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\njacobian = \"{}\"\norder = {}\n",
+                         toml_real(run.relative_tolerance), toml_real(run.absolute_tolerance), run.jacobian, run.order);
   }
 
   void write(const scene::Ensemble& ensemble) {

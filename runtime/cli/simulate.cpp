@@ -12,6 +12,7 @@
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/ensemble.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/integration_options.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/paths.hpp"
@@ -49,7 +50,8 @@ struct Options {
   BuildArguments build;
   std::vector<std::string> settings;
   std::optional<double> duration, output_step, step, relative_tolerance, absolute_tolerance;
-  std::optional<std::string> integrator;
+  std::optional<std::string> integrator, jacobian;
+  std::optional<int> order;
   EnsembleArguments ensemble;
   std::string csv, plot, final_state;
   bool json = false;
@@ -70,22 +72,13 @@ scene::Simulation simulation_of(const scene::Scene& scene, const Options& option
   overrule("step", "--step", options.step, run.step);
   overrule("relative_tolerance", "--rtol", options.relative_tolerance, run.relative_tolerance);
   overrule("absolute_tolerance", "--atol", options.absolute_tolerance, run.absolute_tolerance);
+  overrule("jacobian", "--jacobian", options.jacobian, run.jacobian);
+  overrule("order", "--order", options.order, run.order);
   scene::check_simulation(run, [&](const std::string& key) {
     const auto option = given.find(key);
     return option != given.end() ? scene::Place{option->second} : scene::Place{scene.name, 0, "", "simulate." + key};
   });
   return run;
-}
-
-integrate::Options integration(const scene::Simulation& run) {
-  integrate::Options options;
-  options.method = integrate::method_of(run.integrator);
-  options.duration = run.duration;
-  options.output_step = run.output_step;
-  options.step = run.step;
-  options.relative_tolerance = run.relative_tolerance;
-  options.absolute_tolerance = run.absolute_tolerance;
-  return options;
 }
 
 bool takes_standard_output(const Options& options) {
@@ -136,10 +129,11 @@ class Products {
   std::optional<AtomicFile> final_;
 };
 
-// All rates in one call, which is what the integrators look for first.
-std::vector<std::string> needed_functions(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
+// What the integrator calls, and what the summary tells of.
+std::vector<std::string> functions_for(const scene::Scene& scene, const integrate::Options& run) {
+  std::vector<std::string> list = needed_functions(run, Functions(scene).has("power"), n_coordinates(scene));
+  list.insert(list.end(), {"energy", "momentum"});
+  return list;
 }
 
 integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene,
@@ -170,12 +164,13 @@ int simulate_many(const Options& options, const scene::Scene& scene, const integ
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
-  const integrate::Options run = integration(simulation_of(scene, options));
+  const integrate::Options run = integration_options(simulation_of(scene, options));
   if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;
   Products products(options, scene);
-  const CompiledModel model = build(scene, needed_functions(scene), options.build);
+  const CompiledModel model =
+      build(scene, functions_for(scene, run), options.build, integrate::needs_series(run.method));
   const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
   const Json last = state_json(set, final_state(set, summary, run.duration));
@@ -210,9 +205,19 @@ void add_simulate(CLI::App& app, Action& action) {
   add_scene(*command, options->scene);
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
   command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
-  command->add_option("--integrator", options->integrator, "rk4, gauss4, gauss6: fixed step; the others: SUNDIALS, error control")
-      ->option_text("rk4|gauss4|gauss6|arkode|cvode|cvode_bdf");
-  command->add_option("--step", options->step, "of rk4 and gauss, the longest [s]")->option_text("SECONDS");
+  command
+      ->add_option("--integrator", options->integrator,
+                   "rk4, lie4, gauss4, gauss6: fixed step; the others: error control; arkode_dirk, cvode_bdf, ida: for "
+                   "stiff scenes; taylor: for tight tolerances")
+      ->option_text("rk4|lie4|gauss4|gauss6|arkode|arkode_dirk|cvode|cvode_bdf|ida|taylor|taylor_extended");
+  command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
+  command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
+      ->option_text("N");
+  command
+      ->add_option(
+          "--jacobian", options->jacobian,
+          "of arkode_dirk, cvode_bdf, ida: emitted derivatives, solved dense or sparse, or difference quotients")
+      ->option_text("auto|dense|sparse|differences");
   command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
   command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");
   add_settings(*command, options->settings);

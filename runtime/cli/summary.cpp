@@ -28,15 +28,27 @@ std::string relative(const Deviation& deviation) { return brief(deviation.relati
 std::string method_text(const integrate::Options& options) {
   const std::string name = integrate::name_of(options.method);
   if (has_fixed_step(options.method)) return name + ", steps of at most " + shortest(options.step) + " s";
-  return fmt::format("{}, tolerances {} relative, {} absolute", name, shortest(options.relative_tolerance),
+  const std::string jacobian = has_jacobian(options.method) ? ", Jacobian " + integrate::name_of(options.jacobian) : "";
+  return fmt::format("{}{}, tolerances {} relative, {} absolute", name, jacobian, shortest(options.relative_tolerance),
                      shortest(options.absolute_tolerance));
 }
 
-void add_steps(Lines& lines, const integrate::Summary& summary) {
+void add_evaluations(Lines& lines, const integrate::Summary& summary, const integrate::Options& options) {
+  std::string text = fmt::format("{} of xdot and ydot", summary.evaluations);
+  if (options.method == integrate::Method::ida)
+    text = fmt::format("{} of the residual or the rates", summary.evaluations);
+  if (summary.jacobians > 0)
+    text += fmt::format(", {} of their derivatives", summary.jacobians);
+  else if (has_jacobian(options.method))
+    text += ", those for difference quotients included";
+  lines.add("evaluations", text);
+}
+
+void add_steps(Lines& lines, const integrate::Summary& summary, const integrate::Options& options) {
   std::string steps = fmt::format("{} accepted, {} rejected", summary.steps, summary.failed);
   if (summary.restarts > 0) steps += fmt::format(", {} restarts for the norm of eps", summary.restarts);
   lines.add("steps", steps);
-  lines.add("evaluations", fmt::format("{} of xdot and ydot", summary.evaluations));
+  add_evaluations(lines, summary, options);
   lines.add("rows", std::to_string(summary.rows));
   lines.add("wall time", fmt::format("{:.3g} s", summary.wall_seconds));
 }
@@ -96,7 +108,7 @@ std::string summary_text(const integrate::Summary& summary, const integrate::Opt
   lines.add("integrator", method_text(options));
   lines.add("time",
             fmt::format("0 to {} s, a row every {} s", shortest(options.duration), shortest(options.output_step)));
-  add_steps(lines, summary);
+  add_steps(lines, summary, options);
   if (summary.energy) add_energy(lines, *summary.energy, conservation.driven);
   if (summary.linear_momentum) add_momentum(lines, "linear momentum changed by", "kg m/s", *summary.linear_momentum);
   if (summary.angular_momentum)
@@ -122,6 +134,7 @@ Json summary_json(const integrate::Summary& summary, const integrate::Options& o
                {"failed_steps", summary.failed},
                {"restarts", summary.restarts},
                {"evaluations", summary.evaluations},
+               {"jacobian_evaluations", summary.jacobians},
                {"wall_seconds", summary.wall_seconds}};
   if (summary.energy) json["energy"] = balance_json(*summary.energy);
   if (summary.energy) json["energy"]["balanced"] = !conservation.driven;

@@ -50,7 +50,7 @@ std::vector<Real> comparable(const scene::Scene& scene, const std::vector<std::s
   for (const std::string& part : parts) {
     const auto end = at + static_cast<std::ptrdiff_t>(result_layouts(scene, part).front().size());
     const std::vector<Real> own(at, end);
-    const bool by_x = part == "residual_x" || part == "accelerations_x";
+    const bool by_x = part == "residual_x" || part == "accelerations_x" || part == "power_x";
     const std::vector<Real> kept = by_x ? along_tangent(scene, x, own) : own;
     result.insert(result.end(), kept.begin(), kept.end());
     at = end;

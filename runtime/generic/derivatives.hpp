@@ -23,11 +23,12 @@ MatrixX<Real> derivative(const Motion<Real>& motion, std::string_view function, 
   const auto constant = [](std::span<const Real> a) { return std::vector<Dual<Real>>(a.begin(), a.end()); };
   std::array<std::vector<Dual<Real>>, 4> given = {constant(at.x), constant(at.y), constant(at.ydot), constant(at.u)};
   std::vector<Dual<Real>>& varied = given[static_cast<std::size_t>(by)];
-  MatrixX<Real> out(motion.y().size(), directions.cols());
+  MatrixX<Real> out;
   for (Eigen::Index column = 0; column < directions.cols(); ++column) {
     for (std::size_t i = 0; i < varied.size(); ++i) varied[i].rate = directions(static_cast<Eigen::Index>(i), column);
     const auto result =
         evaluate<Dual<Real>>(system, function, {Dual<Real>(at.t), given[0], given[1], given[2], given[3]});
+    out.conservativeResize(static_cast<Eigen::Index>(result.size()), directions.cols());
     for (std::size_t i = 0; i < result.size(); ++i) out(static_cast<Eigen::Index>(i), column) = result[i].rate;
   }
   return out;

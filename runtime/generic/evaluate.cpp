@@ -10,7 +10,8 @@ namespace {
 bool has(const scene::Scene& scene, std::string_view function) {
   const auto any = [](const auto& list, const auto& holds) { return std::any_of(list.begin(), list.end(), holds); };
   const auto driven = [](const scene::Coordinate& one) { return one.motion != scene::Coordinate::Motion::free; };
-  if (function == "power" || function == "load_powers") return !scene.loads.empty() || any(scene.bodies, is_loaded);
+  if (function == "power" || function == "load_powers" || function == "power_x" || function == "power_y")
+    return !scene.loads.empty() || any(scene.bodies, is_loaded);
   if (function == "accelerations_u" || function == "input_matrix") return !scene.inputs.empty();
   if (function != "driving_loads") return true;
   return any(scene.bodies, [&](const scene::Body& body) {

@@ -65,7 +65,7 @@ const auto& functions_on_request() {
 template <class Real>
 const auto& derivative_functions() {
   using M = const Motion<Real>&;
-  static constexpr std::array<Function<Real>, 10> table = {{
+  static constexpr std::array<Function<Real>, 14> table = {{
       {"residual_x", all, [](M m) { return flat(derivative<Real>(m, "residual", By::x)); }},
       {"residual_y", all, [](M m) { return flat(derivative<Real>(m, "residual", By::y)); }},
       {"residual_ydot", all, [](M m) { return flat(derivative<Real>(m, "residual", By::ydot)); }},
@@ -74,6 +74,10 @@ const auto& derivative_functions() {
       {"accelerations_y", xyu, [](M m) { return flat(derivative<Real>(m, "accelerations", By::y)); }},
       {"accelerations_u", xyu, [](M m) { return flat(derivative<Real>(m, "accelerations", By::u)); }},
       {"accelerations_xi", xyu, [](M m) { return flat(derivative<Real>(m, "accelerations", By::x, tangent(m))); }},
+      {"kinematics_x", xy, [](M m) { return flat(derivative<Real>(m, "kinematics", By::x)); }},
+      {"kinematics_y", xy, [](M m) { return flat(derivative<Real>(m, "kinematics", By::y)); }},
+      {"power_x", xyu, [](M m) { return flat(derivative<Real>(m, "power", By::x)); }},
+      {"power_y", xyu, [](M m) { return flat(derivative<Real>(m, "power", By::y)); }},
       {"state_matrix", xyu, [](M m) { return flat(state_matrix(m)); }},
       {"input_matrix", xyu, [](M m) { return flat(input_matrix(m)); }},
   }};

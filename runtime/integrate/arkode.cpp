@@ -30,7 +30,7 @@ struct ErkDeleter {
 class Arkode final : public Stepper {
  public:
   Arkode(System& system, std::vector<double> z, const Options& options, StepBook& book)
-      : book_(book), data_{system, 0.0, {}}, z_(std::move(z)), vector_(view(z_, context_)) {
+      : book_(book), data_{system}, z_(std::move(z)), vector_(view(z_, context_)) {
     memory_.reset(ERKStepCreate(kanec_sundials_rates, 0.0, vector_.get(), context_));
     if (!memory_) throw InternalError("ERKStepCreate failed");
     void* erk = memory_.get();

@@ -2,13 +2,12 @@
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>
 #include <cvode/cvode_proj.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <algorithm>
 
 #include "runtime/base/error.hpp"
+#include "runtime/integrate/linear_solver.hpp"
 #include "runtime/integrate/norm.hpp"
 #include "runtime/integrate/stepper.hpp"
 #include "runtime/integrate/sundials.hpp"
@@ -47,12 +46,6 @@ struct CvodeDeleter {
 struct NonlinearDeleter {
   void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
 };
-struct MatrixDeleter {
-  void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
-};
-struct LinearDeleter {
-  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
 
 // Multistep methods take their own steps; rows are interpolated by the method's own polynomial (its full order), then
 // projected. BDF projects inside every step. CVODE has no projection for Adams, and changing the newest value alone
@@ -63,7 +56,7 @@ class Cvode final : public Stepper {
  public:
   Cvode(System& system, std::vector<double> z, const Options& options, StepBook& book)
       : book_(book),
-        data_{system, 0.0, {}},
+        data_{system},
         bdf_(options.method == Method::cvode_bdf),
         drift_limit_(100.0 * std::max(options.relative_tolerance, 1e-13)),
         end_(options.duration),
@@ -80,7 +73,7 @@ class Cvode final : public Stepper {
     require(CVodeSStolerances(cvode, options.relative_tolerance, options.absolute_tolerance), "CVodeSStolerances",
             data_);
     if (bdf_)
-      set_newton();
+      set_newton(options);
     else
       set_fixed_point();
   }
@@ -102,13 +95,11 @@ class Cvode final : public Stepper {
     require(CVodeSetNonlinConvCoef(memory_.get(), 0.01), "CVodeSetNonlinConvCoef", data_);
   }
 
-  void set_newton() {
-    const auto n = static_cast<sunindextype>(z_.size());
-    matrix_.reset(SUNDenseMatrix(n, n, context_));
-    if (!matrix_) throw InternalError("SUNDenseMatrix failed");
-    linear_.reset(SUNLinSol_Dense(vector_.get(), matrix_.get(), context_));
-    if (!linear_) throw InternalError("SUNLinSol_Dense failed");
-    require(CVodeSetLinearSolver(memory_.get(), linear_.get(), matrix_.get()), "CVodeSetLinearSolver", data_);
+  void set_newton(const Options& options) {
+    linear_.emplace(data_.system, options, LinearSolver::Form::rates, vector_.get(), context_);
+    data_.linear = &*linear_;
+    require(CVodeSetLinearSolver(memory_.get(), linear_->solver(), linear_->matrix()), "CVodeSetLinearSolver", data_);
+    if (linear_->has_jacobian()) require(CVodeSetJacFn(memory_.get(), kanec_sundials_jacobian), "CVodeSetJacFn", data_);
     if (data_.system.attitudes().empty()) return;
     require(CVodeSetProjFn(memory_.get(), kanec_cvode_project), "CVodeSetProjFn", data_);
   }
@@ -123,6 +114,7 @@ class Cvode final : public Stepper {
     require_progress("cvode", t_, next, data_);
     t_ = next;
     book_.failed = failed_before_restart_ + failed();
+    if (linear_) book_.jacobians = linear_->evaluations();
     book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.attitudes()));
   }
 
@@ -150,8 +142,7 @@ class Cvode final : public Stepper {
   std::vector<double> z_, row_;  // at the end of the last step; at the last row
   VectorHandle vector_, row_vector_;
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, NonlinearDeleter> fixed_point_;
-  std::unique_ptr<std::remove_pointer_t<SUNMatrix>, MatrixDeleter> matrix_;
-  std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, LinearDeleter> linear_;
+  std::optional<LinearSolver> linear_;
   std::unique_ptr<void, CvodeDeleter> memory_;
   double t_ = 0.0;
   std::int64_t failed_before_restart_ = 0;

@@ -6,8 +6,9 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/integrate/compensated.hpp"
+#include "runtime/integrate/fixed_step.hpp"
 #include "runtime/integrate/norm.hpp"
-#include "runtime/integrate/stepper.hpp"
 
 namespace kanec::integrate {
 namespace {
@@ -32,57 +33,35 @@ const Tableau<3> order_6 = {{0.5 - r15 / 10, 0.5, 0.5 + r15 / 10},
 // Keeps every quadratic invariant, so that |ε| = 1 needs no projection: ε̇ is linear in ε and in ω. Symmetric: energy
 // does not drift. The stages are iterated until rounding stops them; the sum over steps is compensated.
 template <std::size_t s>
-class Gauss final : public Stepper {
+class Gauss final : public FixedStep {
  public:
-  Gauss(System& system, std::vector<double> z, double step, const Tableau<s>& tableau, StepBook& book)
-      : system_(system),
-        book_(book),
+  Gauss(System& system, std::vector<double> z, double longest, const Tableau<s>& tableau, StepBook& book)
+      : FixedStep(system, std::move(z), longest, book),
         tableau_(tableau),
-        longest_(step),
-        z_(std::move(z)),
-        rest_(z_.size()),
+        sum_(z_),
         size_(z_.size()),
         stage_(z_),
         rate_(z_.size()) {
     for (auto* list : {&rates_, &guesses_}) list->fill(std::vector<double>(z_.size()));
   }
 
-  std::span<const double> advance(double t) override {
-    const double begin = t_;
-    const std::int64_t steps = equal_steps(t - begin, longest_);
-    for (std::int64_t i = 0; i < steps; ++i) {
-      const double end =
-          i + 1 == steps ? t : begin + (t - begin) * (static_cast<double>(i + 1) / static_cast<double>(steps));
-      step(end - t_);
-      t_ = end;
-      book_.accepted(t_, norm_error(z_.data(), system_.attitudes()));
-    }
-    return z_;
-  }
-
  private:
-  void step(double h) {
-    guess(h);
-    iterate(h);
+  double step(double t, double h) override {
+    guess(t, h);
+    iterate(t, h);
     for (std::size_t i = 0; i < z_.size(); ++i) {
       double change = 0.0;
       for (std::size_t j = 0; j < s; ++j) change += tableau_.b[j] * rates_[j][i];
-      add(i, h * change);
+      sum_.add(i, h * change);
     }
     last_step_ = h;
-  }
-
-  // z + rest is the state: what rounding took from z is given back later.
-  void add(std::size_t i, double change) {
-    const double old = z_[i], wanted = change + rest_[i];
-    z_[i] = old + wanted;
-    rest_[i] = (old - z_[i]) + wanted;
+    return norm_error(z_.data(), system().attitudes());
   }
 
   // The rates as the last step's polynomial goes on; at first those at the start.
-  void guess(double h) {
+  void guess(double t, double h) {
     if (last_step_ == 0.0) {
-      evaluate(t_, z_);
+      evaluate(t, z_.data(), rate_.data());
       rates_.fill(rate_);
       return;
     }
@@ -105,32 +84,35 @@ class Gauss final : public Stepper {
   }
 
   // Until the stages change by rounding alone, which no longer falls (Hairer, Lubich & Wanner, VIII.6).
-  void iterate(double h) {
+  void iterate(double t, double h) {
     for (std::size_t i = 0; i < z_.size(); ++i) size_[i] = std::max(size_[i], std::fabs(z_[i]));
     double before = std::numeric_limits<double>::infinity();
     for (int count = 0; count < most_iterations; ++count) {
-      const double change = improve(h, count == 0);
-      if (!std::isfinite(change)) break;
+      const double change = improve(t, h, count == 0);
+      if (!std::isfinite(change)) refuse(t, h);
       if (change == 0.0 || (change >= before && change < rounding)) return;
       before = change;
     }
-    if (before < rounding) return;  // most_iterations, each a little better
-    throw IntegrationError("integration stopped at t = " + shortest(t_) + " s: the stages of a step of " + shortest(h) +
+    if (before >= rounding) refuse(t, h);  // below it each iteration was a little better
+  }
+
+  [[noreturn]] static void refuse(double t, double h) {
+    throw IntegrationError("integration stopped at t = " + shortest(t) + " s: the stages of a step of " + shortest(h) +
                            " s do not converge; take shorter steps, or a method for stiff systems");
   }
 
   // One sweep; returns the largest change of a stage beside the largest value that its component has had.
-  double improve(double h, bool is_first) {
+  double improve(double t, double h, bool is_first) {
     double largest = 0.0;
     for (std::size_t j = 0; j < s; ++j) {
       for (std::size_t i = 0; i < z_.size(); ++i) {
         double sum = 0.0;
         for (std::size_t l = 0; l < s; ++l) sum += tableau_.a[j][l] * rates_[l][i];
-        stage_[i] = z_[i] + (rest_[i] + h * sum);
+        stage_[i] = sum_.with(i, h * sum);
       }
-      if (!system_.rates(t_ + tableau_.c[j] * h, stage_.data(), rate_.data())) {
-        if (is_first) system_.throw_fault();
-        return std::numeric_limits<double>::infinity();  // iterated away
+      if (!system().rates(t + tableau_.c[j] * h, stage_.data(), rate_.data())) {
+        if (is_first) system().throw_fault();
+        return std::numeric_limits<double>::infinity();  // the stages run away
       }
       for (std::size_t i = 0; i < z_.size(); ++i) {
         const double change = std::fabs(h * (rate_[i] - rates_[j][i]));
@@ -141,19 +123,12 @@ class Gauss final : public Stepper {
     return largest;
   }
 
-  void evaluate(double t, const std::vector<double>& z) {
-    if (!system_.rates(t, z.data(), rate_.data())) system_.throw_fault();
-  }
-
   static constexpr int most_iterations = 100;
   static constexpr double rounding = 1e-12;  // below it a change that no longer falls is taken for rounding
 
-  System& system_;
-  StepBook& book_;
   const Tableau<s>& tableau_;
-  double longest_;
-  double t_ = 0.0, last_step_ = 0.0;
-  std::vector<double> z_, rest_;
+  double last_step_ = 0.0;
+  Compensated sum_;           // over the steps
   std::vector<double> size_;  // largest magnitude of each component so far
   std::vector<double> stage_, rate_;
   std::array<std::vector<double>, s> rates_, guesses_;

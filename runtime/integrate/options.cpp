@@ -8,16 +8,29 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/integrate/jacobian.hpp"
 
 namespace kanec::integrate {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 6> methods = {{{"rk4", Method::rk4},
-                                                                         {"gauss4", Method::gauss4},
-                                                                         {"gauss6", Method::gauss6},
-                                                                         {"arkode", Method::arkode},
-                                                                         {"cvode", Method::cvode},
-                                                                         {"cvode_bdf", Method::cvode_bdf}}};
+constexpr std::array<std::pair<std::string_view, Method>, 11> methods = {
+    {{"rk4", Method::rk4},
+     {"lie4", Method::lie4},
+     {"gauss4", Method::gauss4},
+     {"gauss6", Method::gauss6},
+     {"arkode", Method::arkode},
+     {"arkode_dirk", Method::arkode_dirk},
+     {"cvode", Method::cvode},
+     {"cvode_bdf", Method::cvode_bdf},
+     {"ida", Method::ida},
+     {"taylor", Method::taylor},
+     {"taylor_extended", Method::taylor_extended}}};
+
+constexpr std::array<std::pair<std::string_view, JacobianChoice>, 4> jacobians = {
+    {{"auto", JacobianChoice::automatic},
+     {"dense", JacobianChoice::dense},
+     {"sparse", JacobianChoice::sparse},
+     {"differences", JacobianChoice::differences}}};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& allowed) {
   throw InputError(option + ": found " + found + "; allowed: " + allowed);
@@ -36,10 +49,54 @@ void check_tolerance(const std::string& option, double value) {
   if (!(value > 0.0 && value < 1.0)) refuse(option, shortest(value), "a number between 0 and 1, both excluded");
 }
 
+// The choice of that name, or a refusal that lists all.
+template <class Table>
+auto choice_of(const Table& table, const std::string& option, std::string_view name) {
+  std::string allowed;
+  for (const auto& [known, choice] : table) {
+    if (name == known) return choice;
+    if (!allowed.empty()) allowed += ", ";
+    allowed += known;
+  }
+  refuse(option, std::string("'").append(name) + "'", allowed);
+}
+
+template <class Table, class Choice>
+std::string name_in(const Table& table, Choice choice) {
+  for (const auto& [name, known] : table)
+    if (choice == known) return std::string(name);
+  throw InternalError("a choice without a name");
+}
+
+void check_order(const Options& options) {
+  const int order = arkode_order(options);
+  if (options.method == Method::arkode_dirk) {
+    if (order < 2 || order > 5) refuse("order", std::to_string(order), "0, 2, 3, 4, 5");
+  } else if (order != 4 && order != 5 && order != 6 && order != 8) {
+    refuse("order", std::to_string(order), "0, 4, 5, 6, 8");
+  }
+}
+
 }  // namespace
 
+bool needs_series(Method method) { return method == Method::taylor || method == Method::taylor_extended; }
+
 bool has_fixed_step(Method method) {
-  return method == Method::rk4 || method == Method::gauss4 || method == Method::gauss6;
+  return method == Method::rk4 || method == Method::lie4 || method == Method::gauss4 || method == Method::gauss6;
+}
+
+bool has_jacobian(Method method) {
+  return method == Method::arkode_dirk || method == Method::cvode_bdf || method == Method::ida;
+}
+
+std::vector<std::string> needed_functions(const Options& options, bool has_power, int nx) {
+  const std::string power = has_power ? "+power" : "";
+  std::vector<std::string> list = {"kinematics+accelerations" + power};
+  if (options.method == Method::ida) list.push_back("kinematics+residual" + power);
+  if (!has_jacobian(options.method) || options.jacobian == JacobianChoice::differences || nx == 0) return list;
+  list.push_back(options.method == Method::ida ? Jacobian::request_of_residual(has_power)
+                                               : Jacobian::request_of_rates(has_power));
+  return list;
 }
 
 std::int64_t equal_steps(double stretch, double longest) {
@@ -49,6 +106,7 @@ std::int64_t equal_steps(double stretch, double longest) {
 
 int arkode_order(const Options& options) {
   if (options.order != 0) return options.order;
+  if (options.method == Method::arkode_dirk) return 5;
   return options.relative_tolerance > 1e-6 ? 5 : 8;
 }
 
@@ -61,25 +119,19 @@ void check(const Options& options) {
   require_resolvable("step", options.step, options.duration);
   check_tolerance("relative tolerance", options.relative_tolerance);
   check_tolerance("absolute tolerance", options.absolute_tolerance);
-  const int order = arkode_order(options);
-  if (order != 4 && order != 5 && order != 6 && order != 8) refuse("order", std::to_string(order), "0, 4, 5, 6, 8");
+  check_order(options);
   if (options.max_steps < 1) refuse("max steps", std::to_string(options.max_steps), "at least 1");
 }
 
-Method method_of(std::string_view name) {
-  std::string allowed;
-  for (const auto& [known, method] : methods) {
-    if (name == known) return method;
-    if (!allowed.empty()) allowed += ", ";
-    allowed += known;
-  }
-  refuse("integrator", std::string("'").append(name) + "'", allowed);
-}
+Method method_of(std::string_view name) { return choice_of(methods, "integrator", name); }
+std::string name_of(Method method) { return name_in(methods, method); }
+JacobianChoice jacobian_of(std::string_view name) { return choice_of(jacobians, "jacobian", name); }
+std::string name_of(JacobianChoice choice) { return name_in(jacobians, choice); }
 
-std::string name_of(Method method) {
-  for (const auto& [name, known] : methods)
-    if (method == known) return std::string(name);
-  throw InternalError("integration method without a name");
+std::vector<std::string> method_names() {
+  std::vector<std::string> list;
+  for (const auto& [name, method] : methods) list.emplace_back(name);
+  return list;
 }
 
 RowTimes::RowTimes(double duration, double output_step) : duration_(duration), step_(output_step), last_(0) {

@@ -5,28 +5,47 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kanec::integrate {
 
 enum class Method {
-  rk4,        // classical Runge-Kutta, fixed step
-  gauss4,     // Gauss collocation of order 4, fixed step: keeps quadratic invariants, energy does not drift
-  gauss6,     // the same of order 6
-  arkode,     // SUNDIALS ARKODE, explicit Runge-Kutta pair of order 4 to 8, error control
-  cvode,      // SUNDIALS CVODE, Adams-Moulton of order 1 to 12, error control
-  cvode_bdf,  // SUNDIALS CVODE, BDF of order 1 to 5 with a dense difference-quotient Jacobian, for stiff loads
+  rk4,          // classical Runge-Kutta, fixed step
+  lie4,         // the same on the group of rotations, fixed step: attitudes turn by rotation vectors, none is projected
+  gauss4,       // Gauss collocation of order 4, fixed step: keeps quadratic invariants, energy does not drift
+  gauss6,       // the same of order 6
+  arkode,       // SUNDIALS ARKODE, explicit Runge-Kutta pair of order 4 to 8, error control
+  arkode_dirk,  // the same, diagonally implicit of order 2 to 5, for stiff loads
+  cvode,        // SUNDIALS CVODE, Adams-Moulton of order 1 to 12, error control
+  cvode_bdf,    // SUNDIALS CVODE, BDF of order 1 to 5, for stiff loads
+  ida,          // SUNDIALS IDA, BDF of order 1 to 5 on r(x, y, ẏ) = 0, which A is not solved for
+  taylor,       // Taylor series of order 4 to 24, error control
+  taylor_extended,  // the same in long double, up to order 32: for references
+};
+
+// Where arkode_dirk, cvode_bdf and ida have the derivatives of the rates from, and how they solve with them.
+enum class JacobianChoice {
+  automatic,    // emitted where the model has them: sparse where that takes less time; else differences
+  dense,        // emitted, L U
+  sparse,       // emitted, KLU with their pattern of nonzeros
+  differences,  // of rates, a column an evaluation; dense
 };
 
 struct Options {
   Method method = Method::arkode;
-  double duration = 10.0;             // from t = 0 [s]
-  double output_step = 0.01;          // between rows [s]; the last row stands at the duration
-  double step = 1e-3;                 // of rk4, gauss4 and gauss6, the longest [s]: each row interval is divided evenly into such steps
+  double duration = 10.0;     // from t = 0 [s]
+  double output_step = 0.01;  // between rows [s]; the last row stands at the duration
+  double step = 1e-3;         // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
   double absolute_tolerance = 1e-12;  // the same, in the unit of each component
-  int order = 0;                      // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8
+  int order =
+      0;  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
+  JacobianChoice jacobian = JacobianChoice::automatic;
   std::int64_t max_steps = 100'000'000;
 };
+
+// Whether a method needs a model that was compiled with its Taylor series.
+bool needs_series(Method method);
 
 // Whether a method takes equal steps, Options::step at the longest.
 bool has_fixed_step(Method method);
@@ -34,15 +53,27 @@ bool has_fixed_step(Method method);
 // In how many of them a stretch of time is divided.
 std::int64_t equal_steps(double stretch, double longest);
 
-// The order that arkode takes with these options.
+// Whether a method solves with derivatives of the rates, or of the residual.
+bool has_jacobian(Method method);
+
+// What the generator has to be asked for, so that the model can be run with these options: "kinematics+accelerations".
+// has_power: the scene has that function; nx: its coordinates.
+std::vector<std::string> needed_functions(const Options& options, bool has_power, int nx);
+
+// The order that arkode or arkode_dirk takes with these options.
 int arkode_order(const Options& options);
 
 // Throws InputError that names the option, what was found and what is allowed.
 void check(const Options& options);
 
-// "rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf". Throws InputError for another name.
+// All names, in order: "rk4", "lie4", … And one's method; throws InputError for another name.
+std::vector<std::string> method_names();
 Method method_of(std::string_view name);
 std::string name_of(Method method);
+
+// "auto", "dense", "sparse", "differences". Likewise.
+JacobianChoice jacobian_of(std::string_view name);
+std::string name_of(JacobianChoice choice);
 
 // Times of the rows: 0, output_step, 2 output_step, …, duration, each computed on its own.
 class RowTimes {

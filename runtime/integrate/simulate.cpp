@@ -64,6 +64,7 @@ Summary simulate(const Solver& solver, std::span<const double> x, std::span<cons
   summary.failed = book.failed;
   summary.restarts = book.restarts;
   summary.evaluations = system.evaluations();
+  summary.jacobians = book.jacobians;
   summary.worst_norm_error_before = book.worst_norm_error;
   summary.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return summary;

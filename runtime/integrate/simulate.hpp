@@ -27,8 +27,9 @@ struct Summary {
   std::int64_t rows = 0;
   std::int64_t steps = 0;        // accepted
   std::int64_t failed = 0;       // rejected by error control or not converged
-  std::int64_t restarts = 0;     // cvode (Adams) only: new starts because of the norm of the Euler parameters
-  std::int64_t evaluations = 0;  // of ẋ and ẏ
+  std::int64_t restarts = 0;     // of cvode (Adams) and ida: new starts because of the norm of the Euler parameters
+  std::int64_t evaluations = 0;  // of ẋ and ẏ, those for differences included; of ida those of the residual too
+  std::int64_t jacobians = 0;    // evaluations of emitted derivatives
   double wall_seconds = 0.0;     // whole run, observer included
   std::optional<EnergyBalance> energy;
   std::optional<MomentumChange> linear_momentum;   // [kg m/s]

@@ -20,14 +20,23 @@ std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, con
   switch (options.method) {
     case Method::rk4:
       return make_rk4(system, std::move(z), options, book);
+    case Method::lie4:
+      return make_lie(system, std::move(z), options, book);
     case Method::gauss4:
     case Method::gauss6:
       return make_gauss(system, std::move(z), options, book);
     case Method::arkode:
       return make_arkode(system, std::move(z), options, book);
+    case Method::arkode_dirk:
+      return make_dirk(system, std::move(z), options, book);
     case Method::cvode:
     case Method::cvode_bdf:
       return make_cvode(system, std::move(z), options, book);
+    case Method::taylor:
+    case Method::taylor_extended:
+      return make_taylor(system, std::move(z), options, book);
+    case Method::ida:
+      return make_ida(system, std::move(z), options, book);
   }
   throw InternalError("integration method without a stepper");
 }

@@ -1,4 +1,4 @@
-// What every integration method offers, and the book of its steps. Not: the methods (rk4, arkode, cvode) themselves.
+// What every integration method offers, and the book of its steps. Not: the methods (rk4, arkode, ...) themselves.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -23,8 +23,9 @@ class StepBook {
   void accepted(double t, double norm_error);
 
   std::int64_t steps = 0;
-  std::int64_t failed = 0;    // rejected by error control or not converged
-  std::int64_t restarts = 0;  // of a multistep method, because of the norm of the Euler parameters
+  std::int64_t failed = 0;     // rejected by error control or not converged
+  std::int64_t restarts = 0;   // of a multistep method, because of the norm of the Euler parameters
+  std::int64_t jacobians = 0;  // evaluations of emitted derivatives
   double worst_norm_error = 0.0;
 
  private:
@@ -37,15 +38,20 @@ class Stepper {
   virtual ~Stepper() = default;
 
   // Goes on to time t, not before the last one asked for, never evaluating beyond the end it was made for. Returns z
-  // there with Euler parameters of unit norm, projected or kept so by the method, valid until the next call. Throws IntegrationError.
+  // there with Euler parameters of unit norm, projected or kept so by
+  // the method, valid until the next call. Throws IntegrationError.
   virtual std::span<const double> advance(double t) = 0;
 };
 
 // `z` at t = 0; system and book must outlive the stepper.
 std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_lie(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_dirk(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_cvode(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_taylor(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_ida(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, const Options& options, StepBook& book);
 
 }  // namespace kanec::integrate

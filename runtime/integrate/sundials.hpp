@@ -1,4 +1,4 @@
-// What the ARKODE and CVODE adapters share: handles, the callback into System, errors. Not: any stepping.
+// What the adapters of ARKODE, CVODE and IDA share: handles, the callback into System, errors. Not: any stepping.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -22,11 +22,14 @@ using VectorHandle = std::unique_ptr<std::remove_pointer_t<N_Vector>, VectorDele
 // An N_Vector over the entries of `values`, which must outlive it and keep their place.
 VectorHandle view(std::vector<double>& values, const sundials::Context& context);
 
+class LinearSolver;
+
 // What the C callbacks are given.
 struct CallbackData {
   System& system;
-  double norm_error = 0.0;  // before the last projection made inside the library
-  std::string message;      // last error that the library reported
+  LinearSolver* linear = nullptr;  // of methods with Newton's iteration
+  double norm_error = 0.0;         // before the last projection made inside the library
+  std::string message = {};        // last error that the library reported
 };
 
 // Signatures of ARKRhsFn and CVRhsFn (1: not finite), and of their error handlers: messages are kept, warnings dropped.

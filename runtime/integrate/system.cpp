@@ -62,6 +62,8 @@ System::System(const Solver& solver)
       nx_(solver.model().nx),
       ny_(solver.model().ny),
       calls_(calls()),
+      residual_(solver.find(solver.find("power") || solver.find(all_rates) ? "kinematics_and_residual_and_power"
+                                                                           : "kinematics_and_residual")),
       has_work_(solver.find("power") || solver.find(all_rates)),
       size_(std::max(nx_ + ny_ + (has_work_ ? 1 : 0), 1)),
       attitudes_(first_indices(solver.model())) {}
@@ -80,8 +82,20 @@ std::vector<System::Call> System::calls() const {
 bool System::rates(double t, const double* z, double* zdot) noexcept {
   zdot[size_ - 1] = 0.0;  // where nothing else is written
   for (const Call& call : calls_) solver_->evaluate(*call.function, t, z, z + nx_, nullptr, zdot + call.offset);
+  return counted(t, zdot);
+}
+
+bool System::residual(double t, const double* z, const double* zdot, double* F) noexcept {
+  F[size_ - 1] = 0.0;
+  solver_->evaluate(*residual_, t, z, z + nx_, zdot + nx_, F);
+  for (int i = 0; i < nx_; ++i) F[i] = zdot[i] - F[i];
+  for (int i = nx_ + ny_; i < size_; ++i) F[i] = zdot[i] - F[i];
+  return counted(t, F);
+}
+
+bool System::counted(double t, const double* results) noexcept {
   ++evaluations_;
-  const std::span<const double> all(zdot, static_cast<std::size_t>(size_));
+  const std::span<const double> all(results, static_cast<std::size_t>(size_));
   if (all_finite(all)) return true;
   fault_ = Fault{t, first_not_finite(all)};
   return false;

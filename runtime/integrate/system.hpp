@@ -19,6 +19,7 @@ class System {
   // accelerations. The solver must outlive it.
   explicit System(const Solver& solver);
 
+  const Solver& solver() const { return *solver_; }
   int nx() const { return nx_; }
   int ny() const { return ny_; }
   bool has_work() const { return has_work_; }
@@ -30,7 +31,14 @@ class System {
   // z (size) -> zdot (size), the emitted functions working on these arrays themselves. False where a rate is not
   // finite.
   bool rates(double t, const double* z, double* zdot) noexcept;
+  // F = (ẋ - kinematics, A ẏ - f, Ẇ - power) (size), which is 0 where zdot are the rates. False as rates(). Only where
+  // has_residual(): the model has the functions combined.
+  bool residual(double t, const double* z, const double* zdot, double* F) noexcept;
+  bool has_residual() const { return residual_ != nullptr; }
+  // Of rates and of the residual.
   std::int64_t evaluations() const { return evaluations_; }
+  void count_evaluation() { ++evaluations_; }  // made elsewhere
+  const Solver& solver() const { return *solver_; }
 
   // z at the start: state_at_start() and no work.
   std::vector<double> initial_state(std::span<const double> x, std::span<const double> y) const;
@@ -54,10 +62,13 @@ class System {
     int offset;
   };
   std::vector<Call> calls() const;
+  // Whether all (size) are finite; a fault where not.
+  bool counted(double t, const double* results) noexcept;
 
   const Solver* solver_;
   int nx_, ny_;
   std::vector<Call> calls_;
+  const kanec_function* residual_;
   bool has_work_;
   int size_;
   std::vector<int> attitudes_;

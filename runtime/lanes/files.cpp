@@ -6,11 +6,9 @@
 namespace kanec {
 
 std::vector<std::pair<std::string, std::string>> lane_files() {
-  return {{"lanes.hpp", lanes_text},
-          {"lane_functions.hpp", lane_functions_text},
-          {"cos_sin.hpp", cos_sin_header},
-          {"batch.hpp", batch_text},
-          {"rk4.hpp", rk4_text}};
+  return {{"lanes.hpp", lanes_text},       {"lane_functions.hpp", lane_functions_text},
+          {"cos_sin.hpp", cos_sin_header}, {"batch.hpp", batch_text},
+          {"rk4.hpp", rk4_text},           {"rk4_step.hpp", rk4_step_text}};
 }
 
 std::string cos_sin_text() { return cos_sin_header; }

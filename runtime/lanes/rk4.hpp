@@ -4,6 +4,7 @@
 #pragma once
 
 #include "batch.hpp"
+#include "rk4_step.hpp"
 
 namespace kanec::lanes::batch {
 
@@ -12,10 +13,8 @@ namespace kanec::lanes::batch {
 template <class Lane, class Model>
 Lane normalise(Lane* z, Lane worst) noexcept {
   for (int k = 0; k < Model::n_attitudes; ++k) {
-    Lane* eps = z + Model::attitudes[k].eps;
-    const Lane length = sqrt(eps[0] * eps[0] + eps[1] * eps[1] + eps[2] * eps[2] + eps[3] * eps[3]);
+    const Lane length = kanec::normalise(z + Model::attitudes[k].eps);
     worst = max(worst, abs(length - Lane(1)));
-    for (int i = 0; i < 4; ++i) eps[i] = eps[i] / length;
   }
   return worst;
 }
@@ -48,31 +47,10 @@ class Rk4 {
   }
 
  private:
-  // z += h/6 (k1 + 2 k2 + 2 k3 + k4) (Kutta 1901)
   void step(Lane* z, double t, double h) noexcept {
-    evaluate(t, z, sum_);
-    shift(z, 0.5 * h, sum_);
-    evaluate(t + 0.5 * h, stage_, rate_);
-    add(2);
-    shift(z, 0.5 * h, rate_);
-    evaluate(t + 0.5 * h, stage_, rate_);
-    add(2);
-    shift(z, h, rate_);
-    evaluate(t + h, stage_, rate_);
-    add(1);
-    const Lane sixth(h / 6.0);
-    for (int i = 0; i < n; ++i) z[i] += sixth * sum_[i];
-  }
-  void shift(const Lane* z, double h, const Lane* rate) noexcept {
-    const Lane step(h);
-    for (int i = 0; i < n; ++i) stage_[i] = z[i] + step * rate[i];
-  }
-  void add(int weight) noexcept {
-    const Lane w(weight);
-    for (int i = 0; i < n; ++i) sum_[i] += w * rate_[i];
-  }
-  void evaluate(double t, const Lane* z, Lane* rate) const noexcept {
-    Rates::call(prepared_, Lane(t), z, z + Model::nx, nullptr, u_, rate);
+    rk4_step(n, z, work_, t, h, [this](double at, const Lane* state, Lane* rate) noexcept {
+      Rates::call(prepared_, Lane(at), state, state + Model::nx, nullptr, u_, rate);
+    });
   }
   // Zero times what is not finite is no number.
   static typename Lane::Mask is_finite(const Lane* z) noexcept {
@@ -83,7 +61,7 @@ class Rk4 {
 
   const Prepared& prepared_;
   const Lane* u_;
-  Lane stage_[n > 0 ? n : 1], rate_[n > 0 ? n : 1], sum_[n > 0 ? n : 1];
+  Lane work_[n > 0 ? 3 * n : 1];
 };
 
 }  // namespace kanec::lanes::batch

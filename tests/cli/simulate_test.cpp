@@ -65,7 +65,7 @@ TEST_F(Simulate, without_gravity_and_loads_momenta_are_kept) {
 
 TEST_F(Simulate, all_integrators_come_to_the_same_end) {
   const std::vector<double> expected = flat(json_of(run("free_body", {"--json"})).at("final"));
-  for (const std::string integrator : {"rk4", "cvode", "cvode_bdf"}) {
+  for (const std::string integrator : {"rk4", "lie4", "cvode", "cvode_bdf", "arkode_dirk", "ida"}) {
     SCOPED_TRACE(integrator);
     const json summary = json_of(run("free_body", {"--json", "--integrator", integrator}));
     EXPECT_EQ(summary.at("integrator"), integrator);
@@ -74,6 +74,25 @@ TEST_F(Simulate, all_integrators_come_to_the_same_end) {
     // rk4 at 1 ms: 5 rad/s makes 1e-2 rad a step, (1e-2)^4 / 120 = 1e-10; BDF steps at 1e-9 each
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-5) << i;
   }
+}
+
+// Joints, a prescribed motion, loads and their power, all in one Jacobian.
+TEST_F(Simulate, implicit_integrators_come_to_the_same_end_with_emitted_derivatives) {
+  const auto end_of = [this](const std::string& integrator, const std::string& jacobian) {
+    const json summary = json_of(run("slider_crank", {"--json", "--integrator", integrator, "--jacobian", jacobian}));
+    EXPECT_EQ(summary.at("jacobian_evaluations") > 0, jacobian != "differences" && integrator != "arkode");
+    return std::pair(summary.at("final").at("x"), summary.at("energy").at("work").get<double>());
+  };
+  const auto [expected, work] = end_of("arkode", "auto");
+  for (const std::string integrator : {"cvode_bdf", "arkode_dirk", "ida"})
+    for (const std::string jacobian : {"dense", "sparse", "differences"}) {
+      SCOPED_TRACE(integrator + " " + jacobian);
+      const auto [found, found_work] = end_of(integrator, jacobian);
+      // thousands of steps of 1e-9 each
+      EXPECT_NEAR(found_work, work, 1e-4);
+      for (const auto& [name, value] : expected.items())
+        EXPECT_NEAR(found.at(name).get<double>(), value.get<double>(), 1e-5) << name;
+    }
 }
 
 TEST_F(Simulate, csv_has_a_row_a_time_and_a_column_a_quantity) {
@@ -132,7 +151,9 @@ TEST_F(Simulate, options_that_cannot_be_are_refused_by_their_names) {
   refuses(run("free_body", {"--step", "inf"}), "--step: found inf");
   refuses(run("free_body", {"--rtol", "2"}), "--rtol: found 2");
   refuses(run("free_body", {"--atol", "0"}), "--atol: found 0");
-  refuses(run("free_body", {"--integrator", "rk5"}), "--integrator: found \"rk5\"; allowed: rk4, gauss4, gauss6, arkode");
+  refuses(run("free_body", {"--integrator", "rk5"}), "--integrator: found \"rk5\"; allowed: rk4, lie4, gauss4, gauss6");
+  refuses(run("free_body", {"--jacobian", "full"}), "--jacobian: found \"full\"; allowed: auto, dense, sparse");
+  refuses(run("free_body", {"--order", "7"}), "--order: found 7; allowed: 4, 5, 6, 8, or 0");
   refuses(run("free_body", {"--output-step", "1e-12"}), "rows");
 }
 

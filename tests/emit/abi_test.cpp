@@ -116,6 +116,29 @@ TEST_P(Abi, names_the_state_and_says_where_attitudes_stand) {
   }
 }
 
+// Oracle: the values. A is full where bodies move each other, and has no entry twice in its pattern.
+TEST_P(Abi, patterns_are_of_the_entries_that_are_not_0) {
+  Random random(15);
+  const Sample sample = sample_of(scene, random);
+  Solver solver(model);
+  const kanec_pattern* pattern = solver.find_pattern("mass_matrix");
+  ASSERT_NE(pattern, nullptr);
+  EXPECT_EQ(pattern->rows, model.ny);
+  EXPECT_EQ(pattern->columns, model.ny);
+  const kanec_function& function = *solver.find("mass_matrix");
+  std::vector<double> A(static_cast<std::size_t>(function.n_out));
+  solver.evaluate(function, 0, sample.state.x.data(), nullptr, nullptr, A.data());
+  std::ptrdiff_t nonzeros = 0;
+  for (int k = 0; k < pattern->nonzeros; ++k) {
+    double& entry = A[static_cast<std::size_t>(pattern->row_of[k] * pattern->columns + pattern->column_of[k])];
+    nonzeros += entry != 0.0;
+    entry = 0.0;
+  }
+  EXPECT_EQ(nonzeros, pattern->nonzeros);
+  for (const double entry : A) EXPECT_EQ(entry, 0.0);
+  EXPECT_EQ(solver.find_pattern("kinematics"), nullptr);
+}
+
 // Time goes through, parameters and inputs that nothing reads are no part of the model, results of a combined function
 // stand one after another. Oracle: the program.
 TEST(AbiOfEveryNode, evaluates_its_program_at_a_time_with_what_it_reads) {

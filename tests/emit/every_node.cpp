@@ -2,6 +2,7 @@
 #include "tests/emit/every_node.hpp"
 
 #include "generator/emit/header.hpp"
+#include "generator/emit/taylor.hpp"
 #include "generator/program/combined.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/program/passes.hpp"
@@ -22,8 +23,8 @@ constexpr Binary binary[] = {Binary::atan2, Binary::min, Binary::max, Binary::po
 
 // Each kind of node once or twice, of u and v between 0.1 and 0.9.
 std::vector<Ref> every_kind(Builder& b, Ref u, Ref v) {
-  std::vector<Ref> list = {b.add(u, v), b.subtract(u, v), b.multiply(u, v), b.divide(u, v),
-                           b.square_root(u), b.sine(-u), b.cosine(-u), b.select(b.subtract(u, v), u, v)};
+  std::vector<Ref> list = {b.add(u, v),      b.subtract(u, v), b.multiply(u, v), b.divide(u, v),
+                           b.square_root(u), b.sine(-u),       b.cosine(-u),     b.select(b.subtract(u, v), u, v)};
   for (const Unary function : unary) {
     list.push_back(b.call(function, u));
     if (function != Unary::log) list.push_back(b.call(function, -b.multiply(u, v)));
@@ -35,9 +36,7 @@ std::vector<Ref> every_kind(Builder& b, Ref u, Ref v) {
   return list;
 }
 
-Ref between(Builder& b, Ref a) {
-  return b.add(b.constant(0.5), b.multiply(b.constant(0.4), b.sine(a)));
-}
+Ref between(Builder& b, Ref a) { return b.add(b.constant(0.5), b.multiply(b.constant(0.4), b.sine(a))); }
 
 program::Program source(int repetitions) {
   Builder b;
@@ -81,13 +80,41 @@ Sample every_node_sample() {
   return sample_of(scene, random);
 }
 
-Generated every_node_model(const scene::Scene& scene, int repetitions) {
-  program::Program program = program::optimized(source(repetitions));
-  program.names = {{"a", "unread", "b"}, coordinate_names(scene), speed_names(scene), speed_rate_names(scene),
-                   {"idle", "drive"}};
+namespace {
+
+Generated emitted(program::Program program, const scene::Scene& scene) {
+  program = program::optimized(program);
+  program.names = {
+      {"a", "unread", "b"}, coordinate_names(scene), speed_names(scene), speed_rate_names(scene), {"idle", "drive"}};
   const emit::Model model{&scene, "0", "0123456789abcdef", "all functions", "models/every_node.toml"};
-  return {program, scene.name, model.hash, emit::emit_header(model, program), emit::emit_abi(model, program),
-          emit::emit_batch(model, program)};
+  return {program,
+          scene.name,
+          model.hash,
+          emit::emit_header(model, program),
+          emit::emit_abi(model, program),
+          emit::emit_batch(model, program),
+          emit::emit_taylor(model, program)};
+}
+
+}  // namespace
+
+Generated every_node_model(const scene::Scene& scene, int repetitions) { return emitted(source(repetitions), scene); }
+
+Generated every_node_motion(const scene::Scene& scene) {
+  program::Program program = source(1);
+  program::Function rates = program.functions[0];  // every
+  const auto size = static_cast<std::size_t>(n_coordinates(scene) + n_speeds(scene));
+  Builder builder;
+  builder.nodes() = std::move(program.nodes);
+  std::vector<Ref> sums(rates.outputs.begin(), rates.outputs.begin() + static_cast<std::ptrdiff_t>(size));
+  for (std::size_t i = size; i < rates.outputs.size(); ++i)
+    sums[i % size] = builder.add(sums[i % size], rates.outputs[i]);
+  program.nodes = std::move(builder.nodes());
+  rates.name = "kinematics_and_accelerations";
+  rates.outputs = sums;
+  rates.n_out = static_cast<Index>(size);
+  program.functions = {rates};
+  return emitted(std::move(program), scene);
 }
 
 }  // namespace kanec::test

@@ -29,7 +29,7 @@ double error(const Matrix& left, const Matrix& right) {
 
 Matrix difference(const Sample& s, const char* function, Vector Sample::*argument) {
   const Eigen::Index n = (s.*argument).size();
-  Matrix out(s.y.size(), n);
+  Matrix out(s(function).size(), n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Vector direction = step * Vector::Unit(n, j);
     out.col(j) =
@@ -79,9 +79,12 @@ TEST(Derivatives, are_the_limits_of_differences) {
     for (const auto& [function, derivative, argument] :
          {Case{"residual", "residual_x", &Sample::x}, Case{"residual", "residual_y", &Sample::y},
           Case{"residual", "residual_ydot", &Sample::ydot}, Case{"accelerations", "accelerations_x", &Sample::x},
-          Case{"accelerations", "accelerations_y", &Sample::y}, Case{"accelerations", "accelerations_u", &Sample::u}})
-      EXPECT_LT(error(s.matrix(derivative, s.y.size()), difference(s, function, argument)), of_differences)
-          << derivative;
+          Case{"accelerations", "accelerations_y", &Sample::y}, Case{"accelerations", "accelerations_u", &Sample::u},
+          Case{"kinematics", "kinematics_x", &Sample::x}, Case{"kinematics", "kinematics_y", &Sample::y},
+          Case{"power", "power_x", &Sample::x}, Case{"power", "power_y", &Sample::y}}) {
+      const Matrix expected = difference(s, function, argument);
+      EXPECT_LT(error(s.matrix(derivative, expected.rows()), expected), of_differences) << derivative;
+    }
 }
 
 TEST(Derivatives, by_the_tangent_turn_attitudes_by_rotation_vectors) {

@@ -38,7 +38,7 @@ TEST(Evaluate, knows_the_functions_that_a_scene_can_have) {
   EXPECT_THAT(
       plain, testing::IsSupersetOf({"energy", "reactions", "partial_angular_velocities", "tip_position", "tip_velocity",
                                     "tip_acceleration", "tip_jacobian", "residual_xi", "state_matrix"}));
-  for (const char* name : {"power", "load_powers", "driving_loads", "accelerations_u", "input_matrix"}) {
+  for (const char* name : {"power", "power_x", "load_powers", "driving_loads", "accelerations_u", "input_matrix"}) {
     EXPECT_THAT(plain, testing::Not(testing::Contains(name)));
     EXPECT_THAT(function_names(Case().s.scene), testing::Contains(name));
   }
@@ -75,6 +75,10 @@ TEST(Evaluate, gives_each_function_its_size) {
                                                                   {"accelerations_y", ny * ny},
                                                                   {"accelerations_u", ny * nu},
                                                                   {"accelerations_xi", ny * ny},
+                                                                  {"kinematics_x", nx * nx},
+                                                                  {"kinematics_y", nx * ny},
+                                                                  {"power_x", nx},
+                                                                  {"power_y", ny},
                                                                   {"state_matrix", 4 * ny * ny},
                                                                   {"input_matrix", 2 * ny * nu}};
   for (const auto& [function, size] : sizes) EXPECT_EQ(c(function).size(), size) << function;

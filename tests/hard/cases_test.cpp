@@ -34,7 +34,7 @@ TEST_P(Cases, keep_to_their_bounds_and_round_no_worse_than_twice_the_generic_pat
   const HardCase one = read_hard_case(folder / GetParam());
   EXPECT_EQ(one.scene.name, GetParam());
   EXPECT_TRUE(fs::exists(folder / GetParam() / "README.md"));
-  const CompiledModel model = build(one.scene, needed_functions(one), {});
+  const CompiledModel model = compiled(one);
   for (const hard::Run& run : one.runs) {
     SCOPED_TRACE(run.brief.settings.integrator);
     EXPECT_FALSE(run.brief.keeps.empty());

@@ -71,7 +71,7 @@ class Running : public Reading {
 
 TEST_F(Running, a_bound_on_what_the_case_does_not_have_is_refused) {
   const HardCase hard = read(head + "[[run]]\nduration = 0.1\nkeeps = { attitude = 1 }\n");
-  const CompiledModel model = build(hard.scene, needed_functions(hard), {});
+  const CompiledModel model = compiled(hard);
   EXPECT_THROW(outcome(hard, hard.runs[0].full, model), SceneError);
 }
 
@@ -79,11 +79,27 @@ TEST_F(Running, a_run_that_stops_says_when_and_at_which_coordinate_of_which_body
   const HardCase hard = read(head + "[[run]]\nduration = 3\nkeeps = { energy = 1 }\n",
                              "joint = \"prismatic\"\naxis = \"x\"\nmass = 1.0\ninertia = [0.0, 0.0, 0.0]\n"
                              "effort = \"1 + 1e-3*sqrt(2 - s_1)\"\n");
-  const CompiledModel model = build(hard.scene, needed_functions(hard), {});
+  const CompiledModel model = compiled(hard);
   const Outcome found = outcome(hard, hard.runs[0].full, model);
   EXPECT_FALSE(found.holds());
   EXPECT_THAT(found.failure, HasSubstr("integration stopped at t = "));
   EXPECT_THAT(found.failure, HasSubstr("sdot_1"));
+}
+
+// The answer of the whole: two runs of half the time, the second from where the first ended.
+TEST_F(Running, a_run_goes_on_from_its_last_state) {
+  const HardCase hard = read(head + "[[run]]\nintegrator = \"gauss6\"\nduration = 2\nkeeps = { energy = 1 }\n",
+                             "mass = 1.0\ninertia = [1.0, 2.0, 3.0]\n[body.initial]\nomega = [1.0, 1.0, 1.0]\n");
+  const CompiledModel model = compiled(hard);
+  const Solver solver(model.library.abi());
+  integrate::Options options = outcome(hard, hard.runs[0].full, model).options;
+  const auto x = scene::initial_coordinates(hard.scene), y = scene::initial_speeds(hard.scene);
+  const integrate::Summary whole = integrate::simulate(solver, x, y, options);
+  options.duration = 1.0;
+  const integrate::Summary first = integrate::simulate(solver, x, y, options);
+  const integrate::Summary second = integrate::simulate(solver, first.x, first.y, options);
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(second.x[i], whole.x[i], 1e-14);
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(second.y[i], whole.y[i], 1e-14);
 }
 
 TEST_F(Running, a_bound_that_is_not_kept_is_told) {
@@ -91,7 +107,7 @@ TEST_F(Running, a_bound_that_is_not_kept_is_told) {
                                  "answer = \"torque_free\"\n[[run]]\nintegrator = \"rk4\"\nstep = 0.1\nduration = 5\n"
                                  "keeps = { attitude = 1e-12 }\n",
                              "mass = 1.0\ninertia = [1.0, 2.0, 3.0]\n[body.initial]\nomega = [1.0, 1.0, 1.0]\n");
-  const CompiledModel model = build(hard.scene, needed_functions(hard), {});
+  const CompiledModel model = compiled(hard);
   const Outcome found = outcome(hard, hard.runs[0].full, model);
   EXPECT_EQ(found.failure, "");
   EXPECT_FALSE(found.holds());

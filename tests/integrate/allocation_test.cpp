@@ -24,21 +24,23 @@ static std::atomic<long> allocations = 0;
 namespace kanec::integrate::test {
 namespace {
 
-TEST(Rk4, steps_without_allocating) {
-  Options options;
-  options.method = Method::rk4;
-  options.step = 1e-3;
-  const Solver solver(six_bodies());
-  System system(solver);
-  StepBook book(options.max_steps, {});
-  const auto stepper =
-      make_stepper(system, system.initial_state(six_body_coordinates(), six_body_speeds()), options, book);
-  const long before = allocations;
-  EXPECT_GT(before, 0);  // the counter is in place
-  stepper->advance(1.0);
-  const long during = allocations - before;
-  EXPECT_EQ(during, 0);
-  EXPECT_EQ(book.steps, 1000);
+TEST(FixedSteps, are_taken_without_allocating) {
+  for (const Method method : {Method::rk4, Method::lie4, Method::gauss4, Method::gauss6}) {
+    Options options;
+    options.method = method;
+    options.step = 1e-3;
+    const Solver solver(six_bodies());
+    System system(solver);
+    StepBook book(options.max_steps, {});
+    const auto stepper =
+        make_stepper(system, system.initial_state(six_body_coordinates(), six_body_speeds()), options, book);
+    const long before = allocations;
+    EXPECT_GT(before, 0);  // the counter is in place
+    stepper->advance(1.0);
+    const long during = allocations - before;
+    EXPECT_EQ(during, 0) << name_of(method);
+    EXPECT_EQ(book.steps, 1000) << name_of(method);
+  }
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-const std::vector<Method> all_methods = {Method::rk4, Method::gauss4, Method::gauss6, Method::arkode, Method::cvode, Method::cvode_bdf};
+const std::vector<Method> all_methods = {Method::rk4,    Method::gauss4, Method::gauss6,
+                                         Method::arkode, Method::cvode,  Method::cvode_bdf};
 
 TEST(RowTimes, are_multiples_of_the_step_and_the_duration) {
   const RowTimes even(1.0, 0.1);
@@ -199,8 +200,10 @@ TEST(Options, out_of_range_are_refused) {
 
 TEST(Options, name_their_methods) {
   for (const Method method : all_methods) EXPECT_EQ(method_of(name_of(method)), method);
-  EXPECT_THAT([] { method_of("euler"); },
-              ThrowsMessage<InputError>("integrator: found 'euler'; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf"));
+  EXPECT_THAT(
+      [] { method_of("euler"); },
+      ThrowsMessage<InputError>(
+          "integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, cvode_bdf, ida"));
 }
 
 TEST(InitialState, that_cannot_be_used_is_refused) {

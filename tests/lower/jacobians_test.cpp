@@ -7,6 +7,7 @@
 
 #include "generator/program/passes.hpp"
 #include "generator/requests.hpp"
+#include "generator/symbolic/functions.hpp"
 #include "runtime/generic/dual.hpp"
 #include "tests/lower/trees.hpp"
 
@@ -29,7 +30,8 @@ class Tree {
     Random random(seed);
     s = sample_of(random_scene(random, 1 + static_cast<int>(seed % 4), everything()), random);
     const std::vector<std::string> others = without_derivatives(s.scene);
-    std::vector<std::string> names = {"residual", "accelerations"};
+    std::vector<std::string> names = {"residual", "accelerations", "kinematics"};
+    if (symbolic::has_loads(s.scene)) names.push_back("power");
     for (const std::string& name : every_function(s.scene))
       if (std::find(others.begin(), others.end(), name) == others.end()) names.push_back(name);
     program = program::optimized(kanec::program_of(s.scene, names, {.derivatives = derivatives}));
@@ -100,7 +102,7 @@ class Jacobians : public testing::TestWithParam<std::tuple<std::uint64_t, symbol
  protected:
   // Columns side by side, row by row.
   Vector columns(const std::string& of, const std::vector<Direction>& directions) const {
-    const std::size_t rows = tree.at.y.size();
+    const std::size_t rows = tree(of).size();
     Vector result(rows * directions.size());
     for (std::size_t j = 0; j < directions.size(); ++j) {
       const Vector column = tree.rate(of, directions[j]);
@@ -132,6 +134,15 @@ TEST_P(Jacobians, of_residual_and_accelerations_are_the_rates_of_dual_numbers) {
   }
   expect("residual", "ydot", entries("ydot", ny));
   if (nu > 0) expect("accelerations", "u", entries("u", nu));
+}
+
+TEST_P(Jacobians, of_kinematics_and_power_are_the_rates_of_dual_numbers) {
+  std::vector<std::string> functions = {"kinematics"};
+  if (symbolic::has_loads(tree.s.scene)) functions.push_back("power");
+  for (const std::string& of : functions) {
+    expect(of, "x", entries("x", nx));
+    expect(of, "y", entries("y", ny));
+  }
 }
 
 // φ̇ = δω − ω × φ; of other coordinates the speeds' changes.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include "generator/scene/check.hpp"
 #include "tests/scene/snippets.hpp"
 
 namespace kanec::scene {
@@ -78,14 +79,31 @@ TEST(Simulate, refuses_tolerances_out_of_reach) {
 TEST(Simulate, refuses_an_unknown_integrator_with_the_nearest) {
   EXPECT_EQ(
       message(simulate("integrator = 'arcode'")),
-      "f:7: simulate.integrator: found \"arcode\"; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf (did you mean arkode?)");
+      "f:7: simulate.integrator: found \"arcode\"; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, "
+      "cvode_bdf, ida (did you mean arkode?)");
   EXPECT_EQ(message(simulate("integrator = 4")),
-            "f:7: simulate.integrator: found 4; allowed: rk4, gauss4, gauss6, arkode, cvode, cvode_bdf");
+            "f:7: simulate.integrator: found 4; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, "
+            "cvode_bdf, ida");
 }
 
 TEST(Simulate, knows_its_integrators) {
-  for (const std::string name : {"rk4", "gauss4", "gauss6", "arkode", "cvode", "cvode_bdf"})
+  for (const std::string& name : simulation_integrators())
     EXPECT_EQ(parse(simulate("integrator = '" + name + "'"), "f").simulation.integrator, name);
+}
+
+TEST(Simulate, refuses_an_order_that_the_integrator_does_not_have) {
+  EXPECT_EQ(message(simulate("order = 6")), "no error");
+  EXPECT_EQ(message(simulate("order = 7")), "f:7: simulate.order: found 7; allowed: 4, 5, 6, 8, or 0");
+  EXPECT_EQ(message(simulate("order = 6\nintegrator = 'arkode_dirk'")),
+            "f:7: simulate.order: found 6; allowed: 2, 3, 4, 5, or 0");
+  EXPECT_EQ(message(simulate("order = 7\nintegrator = 'cvode'")), "no error");  // not looked at
+}
+
+TEST(Simulate, refuses_an_unknown_jacobian) {
+  EXPECT_EQ(parse(simulate("jacobian = 'sparse'"), "f").simulation.jacobian, "sparse");
+  EXPECT_EQ(
+      message(simulate("jacobian = 'spars'")),
+      "f:7: simulate.jacobian: found \"spars\"; allowed: auto, dense, sparse, differences (did you mean sparse?)");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/cli/svg.hpp"
+
 namespace kanec::cli {
 namespace {
 
@@ -16,58 +18,25 @@ constexpr double width = 960, left = 190, right = 190, top = 74, bottom = 40, ba
 constexpr std::array<const char*, 10> colours = {"#1b6ca8", "#5fa8d3", "#a9d6e5", "#3d5a80", "#9aa5b1",
                                                  "#d1495b", "#edae49", "#66a182", "#8d6a9f", "#b08968"};
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (static_cast<unsigned char>(c) < ' ')
-      safe += ' ';
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-// "85 ns", "1.2 µs"
-std::string time_text(double ns) {
-  if (ns < 999.5) return fmt::format("{:.3g} ns", ns);
-  return ns < 999.5e3 ? fmt::format("{:.3g} µs", ns * 1e-3) : fmt::format("{:.3g} ms", ns * 1e-6);
-}
-
 // Of a time to that of the first entry: "7.1 times", "4 times faster".
 std::string ratio_text(double ratio) {
   return ratio < 1.0 ? fmt::format("{:.2g} times faster", 1.0 / ratio) : fmt::format("{:.3g} times", ratio);
 }
 
-// Decades that hold all times, the shortest some way into the first.
-struct Axis {
-  int first = 1, last = 4;
-
-  explicit Axis(const std::vector<Contest>& contests) {
-    double least = INFINITY, most = 0.0;
-    for (const Contest& contest : contests)
-      for (const Entry& entry : contest.entries)
-        if (entry.time) {
-          least = std::min(least, entry.time->median);
-          most = std::max(most, entry.time->median);
-        }
-    if (most <= 0.0) return;
-    first = static_cast<int>(std::floor(std::log10(std::max(least / 2, 1e-3))));
-    last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(most))));
-  }
-  double x(double ns) const {
-    const double share = (std::log10(std::max(ns, 1e-3)) - first) / (last - first);
-    return left + std::clamp(share, 0.0, 1.0) * (width - left - right);
-  }
-};
-
-std::string label(double x, double y, const char* kind, const std::string& text) {
-  return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kind, x, y, escaped(text));
+// Decades that hold all times, the shortest some way into the first [ns].
+LogAxis axis_of(const std::vector<Contest>& contests) {
+  LogAxis axis{1, 4, left, width - right};
+  double least = INFINITY, most = 0.0;
+  for (const Contest& contest : contests)
+    for (const Entry& entry : contest.entries)
+      if (entry.time) {
+        least = std::min(least, entry.time->median);
+        most = std::max(most, entry.time->median);
+      }
+  if (most <= 0.0) return axis;
+  axis.first = static_cast<int>(std::floor(std::log10(std::max(least / 2, 1e-3))));
+  axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(most))));
+  return axis;
 }
 
 // Entries of one function have the same colour everywhere by name, in order of first appearance.
@@ -84,37 +53,36 @@ class Palette {
   std::vector<std::string> names_;
 };
 
-std::string bar_of(const Entry& entry, const Entry& first, const Axis& axis, double y, const char* colour) {
-  const std::string name = label(left - 8, y + 12, "name", entry.name);
-  if (!entry.time) return name + label(left + 4, y + 12, "note", entry.note);
-  const double end = axis.x(entry.time->median);
-  std::string value = time_text(entry.time->median);
+std::string bar_of(const Entry& entry, const Entry& first, const LogAxis& axis, double y, const char* colour) {
+  const std::string name = svg_label(left - 8, y + 12, "name", entry.name);
+  if (!entry.time) return name + svg_label(left + 4, y + 12, "note", entry.note);
+  const double end = axis.at(entry.time->median);
+  std::string value = duration_text(entry.time->median * 1e-9);
   if (&entry != &first && first.time) value += ", " + ratio_text(entry.time->median / first.time->median);
   return name +
          fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n", left, y,
                      std::max(end - left, 1.0), bar, colour) +
-         label(end + 6, y + 12, "value", value);
+         svg_label(end + 6, y + 12, "value", value);
 }
 
-std::string grid(const Axis& axis, double height) {
+std::string grid(const LogAxis& axis, double height) {
   std::string text;
   for (int decade = axis.first; decade <= axis.last; ++decade) {
-    const double x = axis.x(std::pow(10.0, decade));
-    text +=
-        fmt::format("<line x1=\"{0:.1f}\" y1=\"{1}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\"/>\n", x, top - 8, height - bottom);
-    text += label(x, height - bottom + 16, "tick", time_text(std::pow(10.0, decade)));
+    const double x = axis.at(std::pow(10.0, decade));
+    text += svg_line(x, top - 8, x, height - bottom);
+    text += svg_label(x, height - bottom + 16, "tick", duration_text(std::pow(10.0, decade - 9)));
   }
-  return text + label((left + width - right) / 2, height - 8, "tick", "processor time per evaluation, logarithmic");
+  return text + svg_label((left + width - right) / 2, height - 8, "tick", "processor time per evaluation, logarithmic");
 }
 
-std::string bars(const std::vector<Contest>& contests, const Axis& axis, double& y) {
+std::string bars(const std::vector<Contest>& contests, const LogAxis& axis, double& y) {
   Palette palette;
   std::string text, group;
   for (const Contest& contest : contests)
     for (const Entry& entry : contest.entries) {
       const std::string heading = contest.model + ": " + entry.function;
       if (heading != group) {
-        text += label(16, y + 18, "group", heading);
+        text += svg_label(16, y + 18, "group", heading);
         y += title;
         group = heading;
       }
@@ -124,32 +92,27 @@ std::string bars(const std::vector<Contest>& contests, const Axis& axis, double&
   return text;
 }
 
-constexpr auto style = R"(<style>
-text { font: 12px sans-serif; fill: #222; }
+constexpr auto style = R"(text { font: 12px sans-serif; fill: #222; }
 .heading { font-size: 16px; font-weight: bold; }
 .group { font-weight: bold; }
 .name { text-anchor: end; }
 .tick { text-anchor: middle; fill: #555; }
 .note { fill: #777; font-style: italic; }
 line { stroke: #ddd; }
-</style>
 )";
 
 }  // namespace
 
 std::string chart(const std::vector<Contest>& contests, const Conditions& conditions) {
-  const Axis axis(contests);
+  const LogAxis axis = axis_of(contests);
   double y = top;
   const std::string drawn = bars(contests, axis, y);
   const double height = y + bottom;
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
-             "viewBox=\"0 0 {0} {1:.0f}\">\n",
-             width, height) +
-         style + "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-         label(16, 26, "heading", "Time per evaluation: emitted code beside other ways") +
-         label(16, 44, "note", conditions.processor) + label(16, 60, "note", "emitted code by " + conditions.compiler) +
-         grid(axis, height) + drawn + "</svg>\n";
+  return svg_picture(width, height, style,
+                     svg_label(16, 26, "heading", "Time per evaluation: emitted code beside other ways") +
+                         svg_label(16, 44, "note", conditions.processor) +
+                         svg_label(16, 60, "note", "emitted code by " + conditions.compiler) + grid(axis, height) +
+                         drawn);
 }
 
 }  // namespace kanec::cli

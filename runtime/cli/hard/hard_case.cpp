@@ -36,8 +36,8 @@ std::vector<Bound> read_bounds(const Node& node) {
 }
 
 Length read_length(const Table& table, Length length, const std::vector<std::string>& more_keys) {
-  std::vector<std::string> keys = {"integrator",         "duration",           "output_step", "step",
-                                   "relative_tolerance", "absolute_tolerance", "keeps"};
+  std::vector<std::string> keys = {"integrator",         "duration", "output_step", "step", "relative_tolerance",
+                                   "absolute_tolerance", "jacobian", "order",       "keeps"};
   keys.insert(keys.end(), more_keys.begin(), more_keys.end());
   table.only(keys);
   const auto real = [&table](const char* key, double& value) {
@@ -49,6 +49,8 @@ Length read_length(const Table& table, Length length, const std::vector<std::str
   real("relative_tolerance", length.settings.relative_tolerance);
   real("absolute_tolerance", length.settings.absolute_tolerance);
   if (const auto found = table.find("integrator")) length.settings.integrator = found->text("an integrator");
+  if (const auto found = table.find("jacobian")) length.settings.jacobian = found->text("auto, dense, sparse, differences");
+  if (const auto found = table.find("order")) length.settings.order = found->integer("a whole number");
   if (const auto found = table.find("keeps")) length.keeps = read_bounds(*found);
   scene::check_simulation(length.settings, [&table](const std::string& key) {
     const auto found = table.find(key);

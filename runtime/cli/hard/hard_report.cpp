@@ -31,7 +31,7 @@ std::vector<fs::path> folders_of(const HardOptions& options) {
 
 CaseReport report_of(const fs::path& folder, const HardOptions& options) {
   CaseReport report{read_hard_case(folder), {}};
-  const CompiledModel model = build(report.hard.scene, needed_functions(report.hard), options.build);
+  const CompiledModel model = compiled(report.hard, options.build);
   const Interrupts interrupts;
   for (const Run& run : report.hard.runs) {
     ProgressBar bar(report.hard.name);

@@ -8,22 +8,12 @@
 #include "runtime/base/error.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/hard/answer.hpp"
+#include "runtime/cli/integration_options.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/generic/system.hpp"
 
 namespace kanec::cli::hard {
 namespace {
-
-integrate::Options integration(const scene::Simulation& settings) {
-  integrate::Options options;
-  options.method = integrate::method_of(settings.integrator);
-  options.duration = settings.duration;
-  options.output_step = settings.output_step;
-  options.step = settings.step;
-  options.relative_tolerance = settings.relative_tolerance;
-  options.absolute_tolerance = settings.absolute_tolerance;
-  return options;
-}
 
 // Energy against work along the run: the slope of the straight line nearest to it, times the duration.
 class Drift {
@@ -112,15 +102,22 @@ bool Outcome::holds() const {
   return failure.empty() && std::all_of(kept.begin(), kept.end(), [](const Kept& one) { return one.holds(); });
 }
 
-std::vector<std::string> needed_functions(const HardCase& hard) {
-  const std::string rates = "kinematics+accelerations";
-  return {Functions(hard.scene).has("power") ? rates + "+power" : rates, "accelerations", "energy", "momentum"};
+CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments) {
+  std::vector<std::string> functions = {"accelerations", "energy", "momentum"};
+  bool with_series = false;
+  for (const Run& run : hard.runs) {
+    const integrate::Options options = integration_options(run.full.settings);
+    for (std::string& name : needed_functions(options, Functions(hard.scene).has("power"), n_coordinates(hard.scene)))
+      if (std::find(functions.begin(), functions.end(), name) == functions.end()) functions.push_back(std::move(name));
+    with_series |= integrate::needs_series(options.method);
+  }
+  return build(hard.scene, functions, arguments, with_series);
 }
 
 Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
                 const std::function<void(double)>& progress) {
   Outcome result;
-  result.options = integration(length.settings);
+  result.options = integration_options(length.settings);
   const State start = initial_state(hard.scene);
   const Solver solver = solver_of(model.library.abi(), hard.scene, start);
   const std::unique_ptr<Answer> known = hard.answer.empty() ? nullptr : answer(hard.answer, hard.scene);

@@ -31,10 +31,10 @@ struct Outcome {
   bool holds() const;
 };
 
-// The functions that a run needs.
-std::vector<std::string> needed_functions(const HardCase& hard);
+// The case's scene with all that its runs need. Throws InputError, BuildError, LoadError.
+CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments = {});
 
-// `model` is the case's scene, compiled with those. Throws SceneError for a bound on what the case does not have.
+// `model` is that. Throws SceneError for a bound on what the case does not have.
 Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
                 const std::function<void(double)>& progress = {});
 

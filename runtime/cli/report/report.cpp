@@ -1,107 +1,274 @@
 // kanec report: what speed costs in digits.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <optional>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/progress.hpp"
 #include "runtime/cli/report/evaluation_text.hpp"
+#include "runtime/cli/report/integration_diagram.hpp"
+#include "runtime/cli/report/integration_text.hpp"
 #include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli {
 namespace {
 
 constexpr auto footer =
-    R"(Example: what each way of computing the accelerations of a seven-joint chain costs in operations and in digits
-  kanec report models/bench_cr7 --functions accelerations
-  kanec report models/bench_* --markdown -o docs/accuracy.md
+    R"(Example: which integrator for the double pendulum, which tolerance, at what cost, as tables and as a picture
+  kanec report models/double_pendulum --integration --error 1e-9 --plot pendulum.svg
+  kanec report models/bench_cr7 --evaluation --functions accelerations
+  kanec report models/bench_* --evaluation --markdown -o docs/accuracy.md
 
-Each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way that `generate` keeps, and in ways that differ from it in one thing: the other
-algorithm, other axes, origins as typed, masses not regrouped, regrouped within a few links or altogether, no passes.
-Each is evaluated in double and in float, in seeded random states (those of kanec check) and in hard ones (speeds a
-thousand times as high, angles zero, at multiples of a right angle, and of ten thousand radians), and compared with
+Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-13, or steps halved
+again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
+shows its wall time (the least of a few), steps, evaluations, worst and last error, what it kept of energy and momentum,
+or why it failed. A recommendation names the fastest run for a wanted error, as a command to type. --plot draws wall time
+against error, a line an integrator, the Pareto front marked.
+
+Evaluation: each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way
+that `generate` keeps, and in ways that differ from it in one thing: the other algorithm, other axes, origins as typed,
+masses not regrouped, regrouped within a few links or altogether, no passes. Each is evaluated in double and in float, in
+seeded random states (those of kanec check) and in hard ones (speeds a thousand times as high, angles zero, at multiples
+of a right angle, and of ten thousand radians), and compared with
   - the same program in 50 digits: what rounding costs, in ulps of the largest component;
   - the generic numeric path in long double, which shares no code with the generator: no mistake in algebra hides;
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
-chooses by: the error that independent roundings of all operations would make. Nothing is compiled.)";
+chooses by: the error that independent roundings of all operations would make. Nothing is compiled.
+
+Without --integration or --evaluation both are made; with --functions evaluation alone.
+
+Hard cases: scenes with known answers, or of which physics keeps something, at their full length (minutes), with a table
+of what is kept to what; exit status 1 where one is not. --short takes the length of the tests
+  kanec report --hard models/hard --markdown -o docs/hard_cases.md)";
 
 struct Options {
   std::vector<std::string> scenes;
   std::string connection;
+  bool evaluation_alone = false, integration_alone = false, hard = false, brief = false;
   EvaluationOptions evaluation;
+  IntegrationOptions integration;
+  BuildArguments build;
   bool json = false, csv = false, markdown = false;
-  std::string output = "-";
+  std::string output = "-", plot;
+
+  bool evaluates() const { return !integration_alone; }
+  bool integrates() const { return !evaluation_alone && (integration_alone || evaluation.functions.empty()); }
 };
 
-std::vector<SceneErrors> measured(const Options& options, const std::vector<scene::Scene>& scenes) {
-  const Interrupts interrupts;
-  std::vector<SceneErrors> list;
-  for (const scene::Scene& scene : scenes) {
-    EvaluationOptions evaluation = options.evaluation;
-    evaluation.functions = Functions(scene).chosen(evaluation.functions);
-    ProgressBar bar(scene.name);
-    list.push_back(evaluation_errors(scene, evaluation, [&](double fraction) {
-      interrupts.poll();
-      bar.show(fraction);
-    }));
-  }
+// Both parts of one scene, as far as they are made.
+struct Findings {
+  std::vector<SceneErrors> errors;
+  std::vector<SceneRuns> runs;
+};
+
+SceneErrors errors_of(const scene::Scene& scene, EvaluationOptions options, const Interrupts& interrupts) {
+  options.functions = Functions(scene).chosen(options.functions);
+  ProgressBar bar(scene.name);
+  return evaluation_errors(scene, options, [&](double fraction) {
+    interrupts.poll();
+    bar.show(fraction);
+  });
+}
+
+// Each scene as it is typed on a command line, in the order of load_all().
+std::vector<std::string> arguments_of(const Options& options) {
+  std::vector<std::string> list;
+  for (const std::string& word : options.scenes)
+    for (const std::string& file : scene_files(word)) list.push_back(file);
+  if (list.empty()) list.push_back("--connection " + options.connection);
   return list;
 }
 
+SceneRuns runs_of(const scene::Scene& scene, const Options& options, const Interrupts& interrupts) {
+  const CompiledModel model = build(scene, integration_functions(scene), options.build);
+  ProgressBar bar(scene.name + ", integration");
+  return integration_runs(scene, model.library.abi(), options.integration, [&](double fraction) {
+    interrupts.poll();
+    bar.show(fraction);
+  });
+}
+
+Findings found(const Options& options, const std::vector<scene::Scene>& scenes) {
+  const Interrupts interrupts;
+  Findings findings;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options.evaluation, interrupts));
+    if (!options.integrates()) continue;
+    findings.runs.push_back(runs_of(scenes[i], options, interrupts));
+    findings.runs.back().path = arguments_of(options)[i];
+  }
+  return findings;
+}
+
+// That writes the same page again, bar the times.
 std::string command_of(const Options& options) {
   std::string command = "kanec report";
   for (const std::string& scene : options.scenes) command += " " + scene;
   if (!options.connection.empty()) command += " --connection " + options.connection;
-  for (std::size_t i = 0; i < options.evaluation.functions.size(); ++i)
-    command += (i == 0 ? " --functions " : ",") + options.evaluation.functions[i];
+  if (!options.integrates()) command += " --evaluation";
+  if (!options.evaluates()) command += " --integration";
+  if (!options.evaluation.functions.empty())
+    command += fmt::format(" --functions {}", fmt::join(options.evaluation.functions, ","));
   const EvaluationOptions usual;
-  if (options.evaluation.states != usual.states) command += " --states " + std::to_string(options.evaluation.states);
-  if (options.evaluation.seed != usual.seed) command += " --seed " + std::to_string(options.evaluation.seed);
+  if (options.evaluation.states != usual.states) command += fmt::format(" --states {}", options.evaluation.states);
+  if (options.evaluation.seed != usual.seed) command += fmt::format(" --seed {}", options.evaluation.seed);
+  const IntegrationOptions& run = options.integration;
+  if (!run.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(run.integrators, ","));
+  if (run.duration) command += " --duration " + shortest(*run.duration);
+  if (run.error) command += " --error " + shortest(*run.error);
+  if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
+  if (!options.plot.empty()) command += " --plot " + options.plot;
   return command + " --markdown";
 }
 
-int report(const Options& options) {
-  if (options.json + options.csv + options.markdown > 1)
-    throw InputError("--json, --csv, --markdown: found several of them; allowed: one");
-  const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
-  std::optional<AtomicFile> file;
-  if (!is_standard_output(options.output)) file.emplace(options.output);
-  const std::vector<SceneErrors> errors = measured(options, scenes);
-  const std::string text = options.json       ? json_text(evaluation_json(errors, options.evaluation))
-                           : options.csv      ? evaluation_csv(errors)
-                           : options.markdown ? evaluation_markdown(errors, options.evaluation, command_of(options))
-                                              : evaluation_text(errors);
-  if (!file) {
-    print(text);
-    return success;
+std::string as_text(const Findings& findings, const Options& options) {
+  std::string text;
+  for (std::size_t i = 0; i < std::max(findings.errors.size(), findings.runs.size()); ++i) {
+    if (i < findings.errors.size()) text += (text.empty() ? "" : "\n") + evaluation_text({findings.errors[i]});
+    if (i < findings.runs.size())
+      text += (text.empty() ? "" : "\n") + integration_text(findings.runs[i], options.integration.error);
   }
-  file->write(text);
-  file->commit();
+  return text;
+}
+
+std::string as_json(const Findings& findings, const Options& options) {
+  Json json = evaluation_json(findings.errors, options.evaluation);
+  for (std::size_t i = 0; i < findings.runs.size(); ++i) {
+    if (!options.evaluates()) json["scenes"].push_back({{"model", findings.runs[i].model}});
+    json["scenes"][i]["integration"] = integration_json(findings.runs[i], options.integration.error);
+  }
+  return json_text(json);
+}
+
+std::string as_page(const Findings& findings, const Options& options) {
+  const std::string command = command_of(options);
+  std::string text;
+  if (options.evaluates()) text += evaluation_markdown(findings.errors, options.evaluation, command);
+  if (options.evaluates() && options.integrates()) text += "\n";
+  if (options.integrates())
+    text += integration_markdown(findings.runs, options.integration.error, command, options.plot);
+  return text;
+}
+
+std::string text_of(const Findings& findings, const Options& options) {
+  if (options.json) return as_json(findings, options);
+  if (options.markdown) return as_page(findings, options);
+  if (!options.csv) return as_text(findings, options);
+  return options.evaluates() ? evaluation_csv(findings.errors) : integration_csv(findings.runs);
+}
+
+void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
+
+void check(const Options& options) {
+  for (const std::string& name : options.integration.integrators) integrate::method_of(name);
+  if (options.json + options.csv + options.markdown > 1)
+    refuse("--json, --csv, --markdown: found several of them", "one");
+  if (options.evaluation_alone && options.integration_alone)
+    refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
+  if (options.integration_alone && !options.evaluation.functions.empty())
+    refuse("--functions: found it beside --integration", "with --evaluation");
+  if (options.csv && options.evaluates() && options.integrates())
+    refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
+  if (options.plot.empty()) return;
+  if (!options.integrates()) refuse("--plot: found nothing to draw", "with integration");
+  if (const std::size_t count = arguments_of(options).size(); count > 1)
+    refuse("--plot: found " + std::to_string(count) + " scenes", "one scene a picture");
+  if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
+}
+
+int report_hard(const Options& options) {
+  if (!options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
+      options.integration_alone || !options.evaluation.functions.empty())
+    refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
+  return hard::report_hard_cases(
+      {options.scenes, options.brief, options.json, options.markdown, options.output, options.build});
+}
+
+int report(const Options& options) {
+  if (options.hard) return report_hard(options);
+  if (options.brief) refuse("--short: found it without --hard", "with --hard");
+  check(options);
+  const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
+  AtomicFile file(options.output);
+  std::optional<AtomicFile> picture;
+  if (!options.plot.empty()) picture.emplace(options.plot);
+  const Findings findings = found(options, scenes);
+  if (picture) {
+    picture->write(integration_svg(findings.runs.front()));
+    picture->commit();
+  }
+  file.write(text_of(findings, options));
+  file.commit();
   return success;
+}
+
+void add_parts(CLI::App& command, Options& options) {
+  command.add_flag("--evaluation", options.evaluation_alone, "rounding errors of functions alone");
+  command.add_flag("--integration", options.integration_alone, "integrators alone");
+  command.add_flag("--hard", options.hard, "hard cases: folders with a hard.toml, or of such folders (models/hard)");
+  command.add_flag("--short", options.brief, "hard cases at the length of the tests");
+}
+
+void add_evaluation(CLI::App& command, EvaluationOptions& options) {
+  add_functions(command, options.functions);
+  command.add_option("--states", options.states, "random states (32)")
+      ->option_text("NUMBER")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--seed", options.seed, "of the random states (1)")->option_text("NUMBER");
+}
+
+void add_integration(CLI::App& command, Options& options) {
+  const std::string group = "Integration";
+  IntegrationOptions& run = options.integration;
+  command
+      .add_option("--integrators", run.integrators,
+                  fmt::format("these alone ({})", fmt::join(integrate::method_names(), ", ")))
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->option_text("a,b,...")
+      ->group(group);
+  command.add_option("--duration", run.duration, "from t = 0 (the scene's) [s]")->option_text("SECONDS")->group(group);
+  command.add_option("--error", run.error, "to recommend an integrator for (1e-3, 1e-6, 1e-9 and 1e-12)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("NUMBER")
+      ->group(group);
+  command.add_option("--limit", run.limit, "wall time of one run, of the reference's five times that (1) [s]")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->option_text("SECONDS")
+      ->group(group);
+  command.add_option("--plot", options.plot, "wall time against error, as a picture")
+      ->option_text("FILE.svg")
+      ->group(group);
 }
 
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(app, action, "report", "operations against digits", footer, &report);
+  const auto [command, options] = add_command(app, action, "report", "speed against error", footer, &report);
   command->add_option("SCENE", options->scenes, "scene.toml files, folders that hold one, or folders of these")
       ->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")
       ->option_text("L(1),L(2),...");
-  add_functions(*command, options->evaluation.functions);
-  command->add_option("--states", options->evaluation.states, "random states (32)")
-      ->option_text("NUMBER")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", options->evaluation.seed, "of the random states (1)")->option_text("NUMBER");
+  add_parts(*command, *options);
+  add_evaluation(*command, options->evaluation);
   command->add_flag("--json", options->json, "for machines");
-  command->add_flag("--csv", options->csv, "as a table for machines");
+  command->add_flag("--csv", options->csv, "one table for machines");
   command->add_flag("--markdown", options->markdown, "as a page (docs/accuracy.md)");
   command->add_option("-o,--output", options->output, "the report's file, or - (-)")->option_text("FILE");
+  add_integration(*command, *options);
+  add_build(*command, options->build);
 }
 
 }  // namespace kanec::cli

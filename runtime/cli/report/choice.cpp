@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/base/text.hpp"
+#include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/svg.hpp"
+
+namespace kanec::cli {
+namespace {
+
+std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
+  const integrate::Options& options = run.options;
+  const std::string common =
+      fmt::format("kanec simulate {} --duration {} --output-step {} --integrator {}", scene.path,
+                  shortest(options.duration), shortest(options.output_step), name_of(options.method));
+  if (has_fixed_step(options.method)) return common + " --step " + shortest(options.step);
+  return common + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
+}
+
+const IntegrationRun* most_accurate(const std::vector<IntegrationRun>& runs) {
+  const IntegrationRun* best = nullptr;
+  for (const IntegrationRun& run : runs)
+    if (run.ok() && (!best || run.worst_error < best->worst_error)) best = &run;
+  return best;
+}
+
+}  // namespace
+
+void mark_front(std::vector<IntegrationRun>& runs, double least) {
+  const auto known = [least](const IntegrationRun& run) { return std::max(run.worst_error, least); };
+  const auto beats = [&](const IntegrationRun& a, const IntegrationRun& b) {
+    return a.ok() && known(a) <= known(b) && a.wall_seconds <= b.wall_seconds &&
+           (known(a) < known(b) || a.wall_seconds < b.wall_seconds);
+  };
+  for (IntegrationRun& run : runs)
+    run.is_on_front = run.ok() && std::none_of(runs.begin(), runs.end(),
+                                               [&](const IntegrationRun& other) { return beats(other, run); });
+}
+
+const IntegrationRun* fastest_within(const SceneRuns& scene, double error) {
+  const IntegrationRun* best = nullptr;
+  for (const IntegrationRun& run : scene.runs)
+    if (run.ok() && run.worst_error <= error && (!best || run.wall_seconds < best->wall_seconds)) best = &run;
+  return best;
+}
+
+std::string recommendation(const SceneRuns& scene, double error) {
+  const std::string wanted = fmt::format("for an error of {:.2g}: ", error);
+  if (error < scene.reference_error)
+    return wanted + fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
+  if (const IntegrationRun* run = fastest_within(scene, error))
+    return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", method_text(run->options),
+                                duration_text(run->wall_seconds), run->worst_error, command_of(scene, *run));
+  const IntegrationRun* best = most_accurate(scene.runs);
+  if (!best) return wanted + "no run got to the end";
+  return wanted + fmt::format("none of these; the most accurate is {}, with {:.1e}", method_text(best->options),
+                              best->worst_error);
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/integration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/base/error.hpp"
+#include "runtime/cli/conservation.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/report/choice.hpp"
+#include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/report/trials.hpp"
+
+namespace kanec::cli {
+namespace {
+
+using integrate::Deviation;
+using integrate::Method;
+using integrate::Options;
+using integrate::Summary;
+
+// Tolerances 1e-4 … 1e-13.
+constexpr int coarsest_decade = 4, finest_decade = 13;
+
+// From about the steps of the coarsest tolerance on.
+constexpr int most_halvings = 14;
+
+// Changes beside the largest momentum there was, or, where that vanishes, beside what the energies come to.
+double momentum_error(const Summary& summary, const MotionScales& scales) {
+  const double energy = summary.energy ? summary.energy->worst.scale : 0.0;
+  const auto beside = [](const Deviation& change, double usual) {
+    const double scale = std::max(change.scale, usual);
+    return change.value == 0.0 || scale == 0.0 ? 0.0 : change.value / scale;
+  };
+  const double angular = scales.rate > 0.0 ? energy / scales.rate : 0.0;
+  const double linear = scales.length > 0.0 ? angular / scales.length : 0.0;
+  return std::max(beside(summary.angular_momentum->worst, angular), beside(summary.linear_momentum->worst, linear));
+}
+
+class Sweep {
+ public:
+  Sweep(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
+        const std::function<void(double)>& progress)
+      : options_(options),
+        progress_(progress),
+        methods_(methods_of(options.integrators.empty() ? integrate::method_names() : options.integrators)),
+        conserved_{is_isolated(scene), has_drives(scene)},
+        has_attitudes_(model.n_attitudes > 0),
+        trials_(scene, model, [this] { progress_(done_ / total()); }) {
+    base_.duration = options.duration.value_or(scene.simulation.duration);
+    base_.relative_tolerance = scene.simulation.relative_tolerance;
+    base_.absolute_tolerance = scene.simulation.absolute_tolerance;
+    require(base_.duration);
+    base_.output_step = base_.duration / options.rows;
+  }
+
+  SceneRuns all() {
+    const double step = usual_step();
+    reference_ = reference(trials_, base_, step, reference_share * options_.limit);
+    ++done_;
+    for (const Method method : methods_) {
+      has_fixed_step(method) ? with_steps(method, step) : with_tolerances(method);
+      ++done_;
+    }
+    SceneRuns result;
+    result.duration = base_.duration;
+    result.rows = options_.rows;
+    result.scales = reference_.scales;
+    result.reference = reference_.description;
+    result.coarser = reference_.coarser;
+    result.check = reference_.check;
+    result.reference_error = reference_.own_error;
+    result.check_difference = reference_.check_difference;
+    result.runs = std::move(runs_);
+    mark_front(result.runs, result.reference_error);
+    return result;
+  }
+
+ private:
+  struct Conserved {
+    bool momentum, driven;
+  };
+
+  static std::vector<Method> methods_of(const std::vector<std::string>& names) {
+    std::vector<Method> list;
+    for (const std::string& name : names) list.push_back(integrate::method_of(name));
+    return list;
+  }
+
+  static void require(double duration) {
+    if (!(duration > 0.0) || !std::isfinite(duration))
+      throw InputError("duration: found " + std::to_string(duration) + "; allowed: a positive number");
+  }
+
+  double total() const { return static_cast<double>(methods_.size()) + 1.0; }
+
+  // Of rows halved so often that error control with the coarsest tolerance takes steps about twice as long.
+  double usual_step() const {
+    const Trial trial = trials_.once(at_tolerance(Method::arkode, coarsest_decade), options_.limit);
+    double step = base_.output_step;
+    if (!trial.ok()) return step;
+    const double mean = base_.duration / static_cast<double>(std::max<std::int64_t>(trial.summary.steps, 1));
+    while (step > 2.0 * mean) step /= 2.0;
+    return step;
+  }
+
+  Options at_tolerance(Method method, int decade) const {
+    Options options = base_;
+    options.method = method;
+    options.relative_tolerance = std::pow(10.0, -decade);
+    options.absolute_tolerance = options.relative_tolerance * (base_.absolute_tolerance / base_.relative_tolerance);
+    return options;
+  }
+
+  // Finer ones would be given up as well once one was.
+  void with_tolerances(Method method) {
+    for (int decade = coarsest_decade; decade <= finest_decade; ++decade) {
+      const Trial trial = trials_.timed(at_tolerance(method, decade), options_.limit);
+      add(trial);
+      if (trial.out_of_time) return;
+    }
+  }
+
+  // Until the reference tells no more, or rounding takes what shorter steps bring.
+  void with_steps(Method method, double step) {
+    constexpr double settled = 1e-8;
+    double best = INFINITY;
+    int without_gain = 0;
+    for (int i = 0; i < most_halvings; ++i, step /= 2.0) {
+      Options options = base_;
+      options.method = method;
+      options.step = step;
+      const Trial trial = trials_.timed(options, options_.limit);
+      add(trial);
+      if (trial.out_of_time) return;
+      if (!trial.ok()) continue;
+      const double error = runs_.back().worst_error;
+      without_gain = error > 0.5 * best && best < settled ? without_gain + 1 : 0;
+      best = std::min(best, error);
+      if (error <= reference_.own_error || without_gain == 2) return;
+    }
+  }
+
+  void add(const Trial& trial) {
+    IntegrationRun run;
+    run.options = trial.options;
+    run.failure = trial.failure + (trial.out_of_time ? "; finer ones are left out" : "");
+    run.wall_seconds = trial.wall_seconds;
+    if (trial.ok()) judge(trial, run);
+    runs_.push_back(std::move(run));
+  }
+
+  void judge(const Trial& trial, IntegrationRun& run) const {
+    const Summary& summary = trial.summary;
+    run.steps = summary.steps;
+    run.rejected = summary.failed;
+    run.evaluations = summary.evaluations;
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+      run.end = difference(trial.rows[i], reference_.rows[i]);
+      run.worst = worse(run.worst, run.end);
+    }
+    run.end_error = relative(run.end, reference_.scales);
+    run.worst_error = relative(run.worst, reference_.scales);
+    if (summary.energy && !conserved_.driven) run.energy = summary.energy->worst.relative();
+    if (summary.angular_momentum && conserved_.momentum) run.momentum = momentum_error(summary, reference_.scales);
+    if (has_attitudes_) run.norm = summary.worst_norm_error_before;
+  }
+
+  static constexpr double reference_share = 5.0;  // of the time of one run
+
+  const IntegrationOptions& options_;
+  const std::function<void(double)>& progress_;
+  std::vector<Method> methods_;
+  Conserved conserved_;
+  bool has_attitudes_;
+  double done_ = 0.0;  // methods, and the reference
+  Trials trials_;
+  Options base_;
+  Reference reference_;
+  std::vector<IntegrationRun> runs_;
+};
+
+}  // namespace
+
+std::vector<std::string> integration_functions(const scene::Scene& scene) {
+  const std::string rates = "kinematics+accelerations";
+  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
+}
+
+SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
+                           const std::function<void(double)>& progress) {
+  SceneRuns runs = Sweep(scene, model, options, progress).all();
+  runs.model = scene.name;
+  return runs;
+}
+
+}  // namespace kanec::cli

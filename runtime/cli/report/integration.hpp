@@ -1,0 +1,62 @@
+// What accuracy costs in time with each integrator: runs over tolerances or steps against a reference. Not: how it is
+// shown (integration_text.hpp, work_precision.hpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/scene/scene.hpp"
+#include "runtime/cli/model.hpp"
+#include "runtime/cli/report/motion_error.hpp"
+#include "runtime/integrate/options.hpp"
+
+namespace kanec::cli {
+
+struct IntegrationOptions {
+  std::vector<std::string> integrators;  // by name; empty: all
+  std::optional<double> duration;        // [s]; none: the scene's
+  std::optional<double> error;           // that a recommendation is wanted for
+  double limit = 1.0;                    // of one run [s]
+  int rows = 20;                         // after the start, at which errors are looked at
+};
+
+// One integrator with one tolerance or step.
+struct IntegrationRun {
+  integrate::Options options;
+  std::string failure;        // empty: it went through
+  double wall_seconds = 0.0;  // least of a few; of a failed run, until it failed
+  std::int64_t steps = 0, rejected = 0, evaluations = 0;
+  MotionError end, worst;                     // at the end; largest of each over the rows
+  double end_error = 0.0, worst_error = 0.0;  // the same as one number (motion_error.hpp)
+  std::optional<double> energy;               // change less work, worst over rows, beside the energies exchanged
+  std::optional<double> momentum;             // change, worst over rows, where nothing acts from outside
+  std::optional<double> norm;                 // worst | |ε| - 1 | before projection, where there are Euler parameters
+  bool is_on_front = false;                   // no other run is both more accurate and faster
+
+  bool ok() const { return failure.empty(); }
+};
+
+struct SceneRuns {
+  std::string model;
+  std::string path;  // as it was given, for a command to type
+  double duration = 0.0;
+  int rows = 0;
+  MotionScales scales;
+  std::string reference, coarser, check;  // as reference.hpp has them
+  double reference_error = 0.0, check_difference = 0.0;
+  std::vector<IntegrationRun> runs;  // by method, coarse to fine
+};
+
+// What is asked of the generator: all rates in one call, which integrators look for first, and what runs are judged by.
+std::vector<std::string> integration_functions(const scene::Scene& scene);
+
+// `progress` is told the share that is done, often; it may throw. Throws IntegrationError without a reference. The
+// model has integration_functions().
+SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
+                           const std::function<void(double)>& progress);
+
+}  // namespace kanec::cli

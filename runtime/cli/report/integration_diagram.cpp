@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/integration_diagram.hpp"
+
+#include <fmt/format.h>
+
+#include "runtime/base/text.hpp"
+#include "runtime/cli/bench/contest_text.hpp"
+#include "runtime/cli/report/diagram.hpp"
+#include "runtime/cli/report/integration_text.hpp"
+#include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/svg.hpp"
+
+namespace kanec::cli {
+namespace {
+
+std::string tick(double value) { return fmt::format("{:.0e}", value); }
+
+std::string title_of(const IntegrationRun& run) {
+  return fmt::format("{}: {}, worst error {:.1e}, {} evaluations", method_text(run.options),
+                     duration_text(run.wall_seconds), run.worst_error, run.evaluations);
+}
+
+// A line a method, in the order of the runs.
+std::vector<DiagramLine> lines_of(const SceneRuns& scene) {
+  std::vector<DiagramLine> lines;
+  for (const IntegrationRun& run : scene.runs) {
+    const std::string name = name_of(run.options.method);
+    if (lines.empty() || lines.back().name != name) lines.push_back({name, {}});
+    if (run.ok()) lines.back().points.push_back({run.worst_error, run.wall_seconds, title_of(run), run.is_on_front});
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string integration_svg(const SceneRuns& scene) {
+  return diagram_svg(
+      {fmt::format("{}: wall time against error of integration, 0 to {} s", scene.model, shortest(scene.duration)),
+       {reference_text(scene), scales_text(scene), processor_name()},
+       {"error [-], worst over the rows", tick},
+       {"wall time of a run [s]", duration_text},
+       lines_of(scene),
+       scene.reference_error,
+       "below the reference's own error"});
+}
+
+}  // namespace kanec::cli

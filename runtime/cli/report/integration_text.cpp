@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/integration_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "runtime/base/text.hpp"
+#include "runtime/cli/bench/contest_text.hpp"
+#include "runtime/cli/report/choice.hpp"
+#include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/svg.hpp"
+#include "runtime/cli/table.hpp"
+
+namespace kanec::cli {
+namespace {
+
+// In the order of row_of(); the last ones stand there only where a run has them.
+const TextRow headings = {"",         "method",   "setting", "wall", "steps",  "evaluations", "error",  "at the end",
+                          "position", "attitude", "speed",   "spin", "energy", "momentum",    "|eps|-1"};
+const TextRow units = {"", "", "", "", "", "", "", "", "[m]", "[rad]", "[m/s]", "[rad/s]", "", "", ""};
+
+std::string shown(double value) { return fmt::format("{:.1e}", value); }
+
+std::string shown(const std::optional<double>& value) { return value ? shown(*value) : ""; }
+
+TextRow row_of(const IntegrationRun& run) {
+  TextRow row = {run.is_on_front ? "*" : "", name_of(run.options.method), setting_text(run.options),
+                 duration_text(run.wall_seconds)};
+  const TextRow rest = {std::to_string(run.steps), std::to_string(run.evaluations),
+                        shown(run.worst_error),    shown(run.end_error),         shown(run.worst.position),
+                        shown(run.worst.attitude), shown(run.worst.speed),       shown(run.worst.spin),
+                        shown(run.energy),         shown(run.momentum),          shown(run.norm)};
+  row.insert(row.end(), rest.begin(), rest.end());
+  return row;
+}
+
+// What stands after the setting where a run failed.
+std::string failure_text(const IntegrationRun& run) {
+  return fmt::format("failed after {}: {}", duration_text(run.wall_seconds), run.failure);
+}
+
+std::vector<double> wanted_errors(std::optional<double> error) {
+  return error ? std::vector<double>{*error} : std::vector<double>{1e-3, 1e-6, 1e-9, 1e-12};
+}
+
+constexpr auto kept_text =
+    "energy, momentum: change beside its size; |eps|-1: before projection; *: no other is as fast and as accurate";
+
+// Of rows of one length, the columns in which one below the headings has something.
+std::vector<TextRow> without_empty_columns(const std::vector<TextRow>& rows, std::size_t n_headings) {
+  std::vector<TextRow> kept(rows.size());
+  for (std::size_t column = 0; column < rows.front().size(); ++column) {
+    const bool is_empty = std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(n_headings), rows.end(),
+                                      [column](const TextRow& row) { return row[column].empty(); });
+    for (std::size_t i = 0; i < rows.size() && !is_empty; ++i) kept[i].push_back(rows[i][column]);
+  }
+  return kept;
+}
+
+std::string runs_table(const SceneRuns& scene) {
+  std::vector<TextRow> rows = {headings, units};
+  for (const IntegrationRun& run : scene.runs)
+    if (run.ok()) rows.push_back(row_of(run));
+  return rows.size() == 2 ? "" : text_table(without_empty_columns(rows, 2), "lllr");
+}
+
+Json error_json(const MotionError& error, double relative) {
+  return {{"relative", relative},
+          {"position", error.position},
+          {"attitude", error.attitude},
+          {"speed", error.speed},
+          {"spin", error.spin}};
+}
+
+Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json run_json(const IntegrationRun& run) {
+  Json json = {{"method", name_of(run.options.method)}};
+  if (has_fixed_step(run.options.method)) {
+    json["step"] = run.options.step;
+  } else {
+    json["relative_tolerance"] = run.options.relative_tolerance;
+    json["absolute_tolerance"] = run.options.absolute_tolerance;
+  }
+  json["wall_seconds"] = run.wall_seconds;
+  if (!run.ok()) {
+    json["failure"] = run.failure;
+    return json;
+  }
+  json.update({{"steps", run.steps},
+               {"rejected_steps", run.rejected},
+               {"evaluations", run.evaluations},
+               {"worst", error_json(run.worst, run.worst_error)},
+               {"end", error_json(run.end, run.end_error)},
+               {"energy", optional_json(run.energy)},
+               {"momentum", optional_json(run.momentum)},
+               {"norm_error", optional_json(run.norm)},
+               {"pareto", run.is_on_front}});
+  return json;
+}
+
+Json recommendations_json(const SceneRuns& scene, std::optional<double> error) {
+  Json list = Json::array();
+  for (const double wanted : wanted_errors(error)) {
+    const IntegrationRun* run = wanted < scene.reference_error ? nullptr : fastest_within(scene, wanted);
+    list.push_back({{"error", wanted}, {"run", run ? run_json(*run) : Json(nullptr)}});
+  }
+  return list;
+}
+
+// In quotes where it has a comma or quotes, as RFC 4180 has it.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_numbers(const IntegrationRun& run) {
+  const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
+  const MotionError &e = run.end, &w = run.worst;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run.steps, run.rejected, run.evaluations,
+                     run.worst_error, w.position, w.attitude, w.speed, w.spin, run.end_error, e.position, e.attitude,
+                     e.speed, e.spin, number(run.energy), number(run.momentum), number(run.norm),
+                     run.is_on_front ? 1 : 0);
+}
+
+std::string csv_line(const SceneRuns& scene, const IntegrationRun& run) {
+  const bool fixed = has_fixed_step(run.options.method);
+  return fmt::format("{},{},{},{},{},{},{}\n", csv_field(scene.model), name_of(run.options.method),
+                     fixed ? shortest(run.options.step) : "", fixed ? "" : shortest(run.options.relative_tolerance),
+                     shortest(run.wall_seconds), run.ok() ? csv_numbers(run) : ",,,,,,,,,,,,,,,,",
+                     csv_field(run.failure));
+}
+
+std::string markdown_row(const TextRow& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
+
+// What would end a cell or a row of a table.
+std::string cell_text(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::string markdown_table(const SceneRuns& scene) {
+  TextRow top = headings;
+  for (std::size_t i = 0; i < top.size(); ++i) top[i] = cell_text(top[i] + (units[i].empty() ? "" : " " + units[i]));
+  std::string text = markdown_row(top) + "|---|---|---|";
+  for (std::size_t i = 3; i < headings.size(); ++i) text += "--:|";
+  text += '\n';
+  for (const IntegrationRun& run : scene.runs) {
+    TextRow row = row_of(run);
+    if (!run.ok()) {
+      std::fill(row.begin() + 4, row.end(), "");
+      row[2] += ": " + cell_text(run.failure);
+    }
+    text += markdown_row(row);
+  }
+  return text;
+}
+
+constexpr auto page_head =
+    R"(Each line is one run of the emitted model by one integrator with one tolerance or step, compared with a reference that is
+stated, at {} rows after the start. Wall times are the least of a few runs on one core of this machine: {}. Tolerances:
+1e-4 to 1e-13, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
+runs are left out once one took longer than the limit a run, which stands there as failed.
+
+- *error*: without unit, worst over the rows; *at the end*: the same there. Position, attitude (angle of the error
+  rotation), speed and spin are the largest over bodies and rows, in their own units.
+- *energy*: change less work of the loads beside the energies exchanged; *momentum*: change beside its size, where
+  nothing acts from outside; *|eps|-1*: largest at the end of a step, before projection.
+- `*` marks the Pareto front: no other run is as fast and as accurate.
+)";
+
+}  // namespace
+
+std::string reference_text(const SceneRuns& scene) {
+  std::string text = fmt::format("reference: {}; its own error {} (change from {})", scene.reference,
+                                 shown(scene.reference_error), scene.coarser);
+  return scene.check.empty() ? text
+                             : text + fmt::format("; {} differs by {}", scene.check, shown(scene.check_difference));
+}
+
+std::string scales_text(const SceneRuns& scene) {
+  return fmt::format(
+      "error: worst of {} rows, largest of position / {:.3g} m, attitude, speed / {:.3g} m/s, spin / {:.3g} rad/s",
+      scene.rows, scene.scales.length, scene.scales.length * scene.scales.rate, scene.scales.rate);
+}
+
+std::string integration_text(const SceneRuns& scene, std::optional<double> error) {
+  std::string text =
+      fmt::format("{}: integration from t = 0 to {} s\n{}\n{}\n{}\n\n{}", scene.model, shortest(scene.duration),
+                  reference_text(scene), scales_text(scene), kept_text, runs_table(scene));
+  std::string failures;
+  for (const IntegrationRun& run : scene.runs)
+    if (!run.ok()) failures += method_text(run.options) + ": " + failure_text(run) + "\n";
+  text += (failures.empty() ? "" : "\n") + failures + "\n";
+  for (const double wanted : wanted_errors(error)) text += recommendation(scene, wanted) + "\n";
+  return text;
+}
+
+Json integration_json(const SceneRuns& scene, std::optional<double> error) {
+  Json runs = Json::array();
+  for (const IntegrationRun& run : scene.runs) runs.push_back(run_json(run));
+  return {{"duration", scene.duration},
+          {"rows", scene.rows},
+          {"length", scene.scales.length},
+          {"rate", scene.scales.rate},
+          {"reference",
+           {{"method", scene.reference},
+            {"coarser", scene.coarser},
+            {"error", scene.reference_error},
+            {"check", scene.check},
+            {"check_difference", scene.check_difference}}},
+          {"runs", std::move(runs)},
+          {"recommended", recommendations_json(scene, error)}};
+}
+
+std::string integration_csv(const std::vector<SceneRuns>& scenes) {
+  std::string text =
+      "model,method,step[s],relative_tolerance,wall[s],steps,rejected,evaluations,worst_error,worst_position[m],"
+      "worst_attitude[rad],worst_speed[m/s],worst_spin[rad/s],end_error,end_position[m],end_attitude[rad],"
+      "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
+  for (const SceneRuns& scene : scenes)
+    for (const IntegrationRun& run : scene.runs) text += csv_line(scene, run);
+  return text;
+}
+
+std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
+                                 const std::string& command, const std::string& picture) {
+  std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
+                     fmt::format(page_head, scenes.empty() ? 0 : scenes.front().rows, processor_name());
+  for (const SceneRuns& scene : scenes) {
+    text += fmt::format("\n## {}\n\n0 to {} s. {}. {}.\n\n", scene.model, shortest(scene.duration),
+                        reference_text(scene), scales_text(scene));
+    if (!picture.empty())
+      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(picture).filename().string());
+    text += markdown_table(scene) + "\n";
+    for (const double wanted : wanted_errors(error)) text += "- " + recommendation(scene, wanted) + "\n";
+  }
+  return text;
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,141 @@
+// Oracles: the exact motion of a mass on a spring; the orders of the methods; what the numbers of one run say of each
+// other.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generator/scene/read.hpp"
+#include "runtime/cli/report/integration.hpp"
+#include "runtime/cli/report/reference.hpp"
+#include "tests/cli/program.hpp"
+
+namespace kanec::cli::test {
+namespace {
+
+// 2 kg on 18 N/m, let go 0.1 m off: s = 0.1 cos 3 t.
+constexpr auto oscillator = R"(name = "oscillator"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 2.0
+inertia = [0.0, 0.0, 0.0]
+stiffness = 18.0
+[body.initial]
+s = 0.1
+[simulate]
+duration = 2.0
+)";
+
+class IntegrationReport : public Program {
+ protected:
+  json runs_of(const std::string& scene, const std::vector<std::string>& more) const {
+    std::vector<std::string> command = {"report", scene, "--integration", "--json"};
+    command.insert(command.end(), more.begin(), more.end());
+    return json_of(command).at("scenes").at(0).at("integration");
+  }
+};
+
+TEST_F(IntegrationReport, the_reference_is_the_exact_motion_to_its_own_error) {
+  const scene::Scene scene = scene::parse(oscillator, "oscillator");
+  const CompiledModel model = build(scene, integration_functions(scene), {});
+  const Trials trials(scene, model.library.abi(), [] {});
+  integrate::Options base;
+  base.duration = 2.0;
+  base.output_step = 0.5;
+  const Reference found = reference(trials, base, 0.1, 10.0);
+  ASSERT_EQ(found.rows.size(), 5u);
+  EXPECT_LT(found.own_error, 1e-13);
+  EXPECT_LT(found.check_difference, 1e-11);
+  EXPECT_NEAR(found.scales.length, 0.2, 0.002);  // from where it began, at the row nearest to half a turn
+  for (std::size_t i = 0; i < found.rows.size(); ++i) {
+    const long double exact = 0.1L * std::cos(1.5L * static_cast<long double>(i));
+    // beside the amplitude, half the length; the change from the run before it is the same or larger
+    EXPECT_NEAR(static_cast<double>((found.rows[i][0].p.x() - exact) / 0.1L), 0.0, 4 * found.own_error) << i;
+  }
+}
+
+TEST_F(IntegrationReport, errors_fall_with_the_order_of_the_method) {
+  const std::map<std::string, double> orders = {{"rk4", 4}, {"gauss4", 4}, {"gauss6", 6}};
+  const json runs = runs_of(write("scene.toml", oscillator), {"--integrators", "rk4,gauss4,gauss6"}).at("runs");
+  std::map<std::string, int> compared;
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    const json &coarse = runs[i - 1], &fine = runs[i];
+    if (coarse.at("method") != fine.at("method")) continue;
+    const double before = coarse.at("worst").at("relative"), after = fine.at("worst").at("relative");
+    EXPECT_DOUBLE_EQ(coarse.at("step"), 2 * fine.at("step").get<double>());
+    if (before > 1e-3 || after < 1e-12) continue;  // not in its range yet, or rounding
+    EXPECT_NEAR(std::log2(before / after), orders.at(fine.at("method")), 0.3) << fine;
+    ++compared[fine.at("method")];
+  }
+  for (const auto& [method, order] : orders) EXPECT_GE(compared[method], 2) << method;
+}
+
+TEST_F(IntegrationReport, error_control_follows_the_tolerance) {
+  for (const json& run : runs_of(write("scene.toml", oscillator), {"--integrators", "arkode,cvode"}).at("runs")) {
+    const double tolerance = run.at("relative_tolerance"), error = run.at("worst").at("relative");
+    EXPECT_LT(error, 1000 * tolerance) << run;                         // of a step, against that of a whole run
+    EXPECT_DOUBLE_EQ(run.at("absolute_tolerance"), 1e-3 * tolerance);  // as the scene's defaults are
+    EXPECT_GE(run.at("evaluations"), run.at("steps"));
+    EXPECT_LE(run.at("end").at("relative"), error);
+  }
+}
+
+TEST_F(IntegrationReport, takes_every_integrator_and_recommends_a_run_within_the_error) {
+  const json report = runs_of(model("free_body"), {"--duration", "1", "--error", "1e-7"});
+  std::vector<std::string> methods;
+  for (const json& run : report.at("runs")) methods.push_back(run.at("method"));
+  for (const std::string& method : integrate::method_names()) EXPECT_THAT(methods, testing::Contains(method));
+  const json& chosen = report.at("recommended").at(0);
+  EXPECT_LE(chosen.at("run").at("worst").at("relative"), 1e-7);
+  for (const json& run : report.at("runs")) {
+    if (run.contains("failure") || run.at("worst").at("relative") > 1e-7) continue;
+    EXPECT_GE(run.at("wall_seconds"), chosen.at("run").at("wall_seconds"));
+  }
+}
+
+TEST_F(IntegrationReport, tells_of_runs_that_take_too_long) {
+  const json runs = runs_of(model("spinning_top"), {"--integrators", "rk4,cvode_bdf", "--limit", "0.01"}).at("runs");
+  const auto is_late = [](const json& run) {
+    return run.contains("failure") && run.at("failure").get<std::string>().find("time limit of 0.01 s") == 0;
+  };
+  EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), is_late)) << runs;
+}
+
+TEST_F(IntegrationReport, says_the_same_as_text_table_page_and_picture) {
+  const std::vector<std::string> command = {
+      "report", write("scene.toml", oscillator), "--integrators", "gauss6", "--plot", "runs.svg"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = command;
+    all.insert(all.end(), more.begin(), more.end());
+    const Answer answer = kanec(all);
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return answer.out;
+  };
+  const std::string both = with({});
+  EXPECT_THAT(both, HasSubstr("oscillator: condition of A 1"));
+  EXPECT_THAT(both, HasSubstr("oscillator: integration from t = 0 to 2 s\nreference: gauss6"));
+  EXPECT_THAT(both, HasSubstr("for an error of 1e-09: gauss6, h "));
+  EXPECT_THAT(with({"--markdown"}), testing::AllOf(HasSubstr("# Accuracy of evaluation"), HasSubstr("](runs.svg)")));
+  const std::string table = with({"--integration", "--csv"});
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  EXPECT_EQ(commas(table.substr(0, table.find('\n'))), 22);
+  EXPECT_EQ(commas(table), 22 * std::count(table.begin(), table.end(), '\n'));
+  EXPECT_THAT(read_file(work() / "runs.svg"), HasSubstr("oscillator: wall time against error"));
+}
+
+TEST_F(IntegrationReport, refuses_what_cannot_be) {
+  const std::string pendulum = model("pendulum");
+  refuses({"report", pendulum, "--evaluation", "--integration"}, "found it beside --integration; allowed: one of them");
+  refuses({"report", pendulum, "--csv"}, "--csv: found two tables");
+  refuses({"report", pendulum, "--evaluation", "--plot", "a.svg"}, "--plot: found nothing to draw");
+  refuses({"report", pendulum, pendulum, "--plot", "a.svg"}, "--plot: found 2 scenes; allowed: one scene a picture");
+  refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
+  refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");
+  refuses({"report", pendulum, "--integration", "--duration", "-1"}, "duration: found -1");
+  refuses({"report", pendulum, "--integration", "--error", "0"}, "--error");
+}
+
+}  // namespace
+}  // namespace kanec::cli::test
