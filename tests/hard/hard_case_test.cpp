@@ -66,7 +66,7 @@ TEST_F(Reading, what_has_no_meaning_is_refused_with_its_line) {
 class Running : public Reading {
  private:
   Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
-  Variable flags_{"KANEC_CXXFLAGS", "-O1"};
+  Variable flags_{"KANEC_CXXFLAGS", "-O0"};
 };
 
 TEST_F(Running, a_bound_on_what_the_case_does_not_have_is_refused) {
