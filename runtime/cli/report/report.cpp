@@ -11,6 +11,7 @@
 #include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/model.hpp"
@@ -45,12 +46,16 @@ of a right angle, and of ten thousand radians), and compared with
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
 chooses by: the error that independent roundings of all operations would make. Nothing is compiled.
 
-Without --integration or --evaluation both are made; with --functions evaluation alone.)";
+Without --integration or --evaluation both are made; with --functions evaluation alone.
+
+Hard cases: scenes with known answers, or of which physics keeps something, at their full length (minutes), with a table
+of what is kept to what; exit status 1 where one is not. --short takes the length of the tests
+  kanec report --hard models/hard --markdown -o docs/hard_cases.md)";
 
 struct Options {
   std::vector<std::string> scenes;
   std::string connection;
-  bool evaluation_alone = false, integration_alone = false;
+  bool evaluation_alone = false, integration_alone = false, hard = false, brief = false;
   EvaluationOptions evaluation;
   IntegrationOptions integration;
   BuildArguments build;
@@ -183,7 +188,17 @@ void check(const Options& options) {
   if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
 }
 
+int report_hard(const Options& options) {
+  if (!options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
+      options.integration_alone || !options.evaluation.functions.empty())
+    refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
+  return hard::report_hard_cases(
+      {options.scenes, options.brief, options.json, options.markdown, options.output, options.build});
+}
+
 int report(const Options& options) {
+  if (options.hard) return report_hard(options);
+  if (options.brief) refuse("--short: found it without --hard", "with --hard");
   check(options);
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
@@ -202,6 +217,8 @@ int report(const Options& options) {
 void add_parts(CLI::App& command, Options& options) {
   command.add_flag("--evaluation", options.evaluation_alone, "rounding errors of functions alone");
   command.add_flag("--integration", options.integration_alone, "integrators alone");
+  command.add_flag("--hard", options.hard, "hard cases: folders with a hard.toml, or of such folders (models/hard)");
+  command.add_flag("--short", options.brief, "hard cases at the length of the tests");
 }
 
 void add_evaluation(CLI::App& command, EvaluationOptions& options) {
