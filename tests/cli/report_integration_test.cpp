@@ -86,7 +86,8 @@ TEST_F(IntegrationReport, takes_every_integrator_and_recommends_a_run_within_the
   const json report = runs_of(model("free_body"), {"--duration", "1", "--error", "1e-7"});
   std::vector<std::string> methods;
   for (const json& run : report.at("runs")) methods.push_back(run.at("method"));
-  for (const std::string& method : integrate::method_names()) EXPECT_THAT(methods, testing::Contains(method));
+  for (const std::string& method : integrate::method_names())
+    if (method != "taylor_extended") EXPECT_THAT(methods, testing::Contains(method));  // which is for references
   const json& chosen = report.at("recommended").at(0);
   EXPECT_LE(chosen.at("run").at("worst").at("relative"), 1e-7);
   for (const json& run : report.at("runs")) {

@@ -20,7 +20,7 @@ using integrate::Options;
 using integrate::Summary;
 
 // Tolerances 1e-4 … 1e-13.
-constexpr int coarsest_decade = 4, finest_decade = 13;
+constexpr int coarsest_decade = 4, finest_decade = 14;
 
 // From about the steps of the coarsest tolerance on.
 constexpr int most_halvings = 14;
@@ -37,13 +37,23 @@ double momentum_error(const Summary& summary, const MotionScales& scales) {
   return std::max(beside(summary.angular_momentum->worst, angular), beside(summary.linear_momentum->worst, linear));
 }
 
+// taylor_extended is for references: it is run where it is named.
+std::vector<Method> methods_of(const IntegrationOptions& options) {
+  std::vector<Method> list;
+  for (const std::string& name : options.integrators.empty() ? integrate::method_names() : options.integrators) {
+    const Method method = integrate::method_of(name);
+    if (method != Method::taylor_extended || !options.integrators.empty()) list.push_back(method);
+  }
+  return list;
+}
+
 class Sweep {
  public:
   Sweep(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
         const std::function<void(double)>& progress)
       : options_(options),
         progress_(progress),
-        methods_(methods_of(options.integrators.empty() ? integrate::method_names() : options.integrators)),
+        methods_(methods_of(options)),
         conserved_{is_isolated(scene), has_drives(scene)},
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
@@ -80,12 +90,6 @@ class Sweep {
   struct Conserved {
     bool momentum, driven;
   };
-
-  static std::vector<Method> methods_of(const std::vector<std::string>& names) {
-    std::vector<Method> list;
-    for (const std::string& name : names) list.push_back(integrate::method_of(name));
-    return list;
-  }
 
   static void require(double duration) {
     if (!(duration > 0.0) || !std::isfinite(duration))
@@ -182,9 +186,16 @@ class Sweep {
 
 }  // namespace
 
-std::vector<std::string> integration_functions(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
+std::vector<std::string> integration_functions(const scene::Scene& scene, const IntegrationOptions& options) {
+  std::vector<std::string> list;
+  for (const Method method : methods_of(options)) {
+    Options run;
+    run.method = method;
+    for (const std::string& function : functions_to_integrate(scene, run))
+      if (std::find(list.begin(), list.end(), function) == list.end()) list.push_back(function);
+  }
+  list.insert(list.end(), {"energy", "momentum"});
+  return list;
 }
 
 SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,

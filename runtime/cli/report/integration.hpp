@@ -51,11 +51,11 @@ struct SceneRuns {
   std::vector<IntegrationRun> runs;  // by method, coarse to fine
 };
 
-// What is asked of the generator: all rates in one call, which integrators look for first, and what runs are judged by.
-std::vector<std::string> integration_functions(const scene::Scene& scene);
+// What is asked of the generator: what the methods call, and what runs are judged by.
+std::vector<std::string> integration_functions(const scene::Scene& scene, const IntegrationOptions& options);
 
 // `progress` is told the share that is done, often; it may throw. Throws IntegrationError without a reference. The
-// model has integration_functions().
+// model has integration_functions() and Taylor series.
 SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
                            const std::function<void(double)>& progress);
 

@@ -91,7 +91,8 @@ std::vector<std::string> arguments_of(const Options& options) {
 }
 
 SceneRuns runs_of(const scene::Scene& scene, const Options& options, const Interrupts& interrupts) {
-  const CompiledModel model = build(scene, integration_functions(scene), options.build);
+  const CompiledModel model =
+      build(scene, integration_functions(scene, options.integration), options.build, /*with_taylor=*/true);
   ProgressBar bar(scene.name + ", integration");
   return integration_runs(scene, model.library.abi(), options.integration, [&](double fraction) {
     interrupts.poll();
