@@ -35,18 +35,21 @@ const Tableau<3> order_6 = {{0.5 - r15 / 10, 0.5, 0.5 + r15 / 10},
 template <std::size_t s>
 class Gauss final : public FixedStep {
  public:
-  Gauss(System& system, std::vector<double> z, double longest, const Tableau<s>& tableau, StepBook& book)
-      : FixedStep(system, std::move(z), longest, book),
+  Gauss(System& system, std::vector<double> z, const Options& options, const Tableau<s>& tableau, StepBook& book)
+      : FixedStep(system, std::move(z), options, book),
         tableau_(tableau),
         sum_(z_),
         size_(z_.size()),
         stage_(z_),
         rate_(z_.size()) {
     for (auto* list : {&rates_, &guesses_}) list->fill(std::vector<double>(z_.size()));
+    for (std::vector<double>& rate : rates_) carry(rate);
+    carry(sum_.rest());
+    carry(last_step_);
   }
 
  private:
-  double step(double t, double h) override {
+  double take(double t, double h) override {
     guess(t, h);
     iterate(t, h);
     for (std::size_t i = 0; i < z_.size(); ++i) {
@@ -54,13 +57,13 @@ class Gauss final : public FixedStep {
       for (std::size_t j = 0; j < s; ++j) change += tableau_.b[j] * rates_[j][i];
       sum_.add(i, h * change);
     }
-    last_step_ = h;
+    last_step_[0] = h;
     return norm_error(z_.data(), system().attitudes());
   }
 
   // The rates as the last step's polynomial goes on; at first those at the start.
   void guess(double t, double h) {
-    if (last_step_ == 0.0) {
+    if (last_step_[0] == 0.0) {
       evaluate(t, z_.data(), rate_.data());
       rates_.fill(rate_);
       return;
@@ -68,7 +71,7 @@ class Gauss final : public FixedStep {
     guesses_ = rates_;
     for (std::size_t j = 0; j < s; ++j) {
       std::array<double, s> weight;
-      for (std::size_t l = 0; l < s; ++l) weight[l] = lagrange(l, 1.0 + tableau_.c[j] * h / last_step_);
+      for (std::size_t l = 0; l < s; ++l) weight[l] = lagrange(l, 1.0 + tableau_.c[j] * h / last_step_[0]);
       for (std::size_t i = 0; i < z_.size(); ++i) {
         rates_[j][i] = 0.0;
         for (std::size_t l = 0; l < s; ++l) rates_[j][i] += weight[l] * guesses_[l][i];
@@ -136,7 +139,7 @@ class Gauss final : public FixedStep {
   static constexpr double noise = 1e-6;      // below it these are taken for rounding of the rates
 
   const Tableau<s>& tableau_;
-  double last_step_ = 0.0;
+  std::vector<double> last_step_ = {0.0};  // its length; one entry
   int worst_ = 0;             // component that changed most in the last sweep
   Compensated sum_;           // over the steps
   std::vector<double> size_;  // largest magnitude of each component so far
@@ -148,8 +151,8 @@ class Gauss final : public FixedStep {
 
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book) {
   if (options.method == Method::gauss4)
-    return std::make_unique<Gauss<2>>(system, std::move(z), options.step, order_4, book);
-  return std::make_unique<Gauss<3>>(system, std::move(z), options.step, order_6, book);
+    return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
+  return std::make_unique<Gauss<3>>(system, std::move(z), options, order_6, book);
 }
 
 }  // namespace kanec::integrate

@@ -7,6 +7,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/watched_events.hpp"
 #include "runtime/cli/report/choice.hpp"
 #include "runtime/cli/report/reference.hpp"
 #include "runtime/cli/report/trials.hpp"
@@ -63,6 +64,7 @@ class Sweep {
         conserved_{is_isolated(scene), has_drives(scene)},
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
+    base_.events = watched_events(scene);
     base_.duration = options.duration.value_or(scene.simulation.duration);
     base_.relative_tolerance = scene.simulation.relative_tolerance;
     base_.absolute_tolerance = scene.simulation.absolute_tolerance;
@@ -197,6 +199,7 @@ std::vector<std::string> integration_functions(const scene::Scene& scene, const 
   for (const Method method : methods_of(options)) {
     Options run;
     run.method = method;
+    run.events = watched_events(scene);
     for (const std::string& function : functions_to_integrate(scene, run))
       if (std::find(list.begin(), list.end(), function) == list.end()) list.push_back(function);
   }
