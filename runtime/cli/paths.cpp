@@ -5,6 +5,7 @@
 
 #include "generator/program/evaluate.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/cli/precise_scalar.hpp"
 #include "runtime/generic/evaluate.hpp"
 
 namespace kanec::cli {
@@ -69,6 +70,8 @@ std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std:
 
 template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 template std::vector<long double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
+
+template std::vector<Precise> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 
 std::vector<Precise> precise(const program::Program& program, const std::string& function, const State& state) {
   const program::Arguments<Precise> arguments{as<Precise>(state.parameters), as<Precise>(state.x), as<Precise>(state.y),

@@ -142,8 +142,8 @@ class Products {
 };
 
 // What the integrator calls, and what the summary tells of.
-std::vector<std::string> functions_for(const scene::Scene& scene, const integrate::Options& run) {
-  std::vector<std::string> list = needed_functions(run, Functions(scene).has("power"), n_coordinates(scene));
+std::vector<std::string> functions_for(const scene::Scene& scene, integrate::Options& run) {
+  std::vector<std::string> list = functions_to_integrate(scene, run);
   list.insert(list.end(), {"energy", "momentum"});
   return list;
 }
@@ -176,7 +176,7 @@ int simulate_many(const Options& options, const scene::Scene& scene, const integ
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
-  const integrate::Options run = integration(simulation_of(scene, options));
+  integrate::Options run = integration(simulation_of(scene, options));
   if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;

@@ -38,7 +38,6 @@ class System {
   // Of rates and of the residual.
   std::int64_t evaluations() const { return evaluations_; }
   void count_evaluation() { ++evaluations_; }  // made elsewhere
-  const Solver& solver() const { return *solver_; }
 
   // z at the start: state_at_start() and no work.
   std::vector<double> initial_state(std::span<const double> x, std::span<const double> y) const;

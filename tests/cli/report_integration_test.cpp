@@ -86,7 +86,8 @@ TEST_F(IntegrationReport, takes_every_integrator_and_recommends_a_run_within_the
   const json report = runs_of(model("free_body"), {"--duration", "1", "--error", "1e-7"});
   std::vector<std::string> methods;
   for (const json& run : report.at("runs")) methods.push_back(run.at("method"));
-  for (const std::string& method : integrate::method_names()) EXPECT_THAT(methods, testing::Contains(method));
+  for (const std::string& method : integrate::method_names())
+    if (method != "taylor_extended") EXPECT_THAT(methods, testing::Contains(method));  // which is for references
   const json& chosen = report.at("recommended").at(0);
   EXPECT_LE(chosen.at("run").at("worst").at("relative"), 1e-7);
   for (const json& run : report.at("runs")) {
@@ -120,8 +121,8 @@ TEST_F(IntegrationReport, says_the_same_as_text_table_page_and_picture) {
   EXPECT_THAT(with({"--markdown"}), testing::AllOf(HasSubstr("# Accuracy of evaluation"), HasSubstr("](runs.svg)")));
   const std::string table = with({"--integration", "--csv"});
   const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
-  EXPECT_EQ(commas(table.substr(0, table.find('\n'))), 22);
-  EXPECT_EQ(commas(table), 22 * std::count(table.begin(), table.end(), '\n'));
+  EXPECT_EQ(commas(table.substr(0, table.find('\n'))), 23);
+  EXPECT_EQ(commas(table), 23 * std::count(table.begin(), table.end(), '\n'));
   EXPECT_THAT(read_file(work() / "runs.svg"), HasSubstr("oscillator: wall time against error"));
 }
 

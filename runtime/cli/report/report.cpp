@@ -29,11 +29,14 @@ constexpr auto footer =
   kanec report models/bench_cr7 --evaluation --functions accelerations
   kanec report models/bench_* --evaluation --markdown -o docs/accuracy.md
 
-Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-13, or steps halved
+Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14, or steps halved
 again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
 shows its wall time (the least of a few), steps, evaluations, worst and last error, what it kept of energy and momentum,
-or why it failed. A recommendation names the fastest run for a wanted error, as a command to type. --plot draws wall time
+or why it failed; cvode_bdf stands there with the emitted Jacobian and with differences. A recommendation names the fastest run for a wanted error, as a command to type. --plot draws wall time
 against error, a line an integrator, the Pareto front marked.
+
+With --peers other engines that kanec was built beside integrate the same motion, compared in the same way; scenes with
+loads, locked or prescribed coordinates are refused by them.
 
 Evaluation: each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way
 that `generate` keeps, and in ways that differ from it in one thing: the other algorithm, other axes, origins as typed,
@@ -50,7 +53,7 @@ Without --integration or --evaluation both are made; with --functions evaluation
 struct Options {
   std::vector<std::string> scenes;
   std::string connection;
-  bool evaluation_alone = false, integration_alone = false;
+  bool evaluation_alone = false, integration_alone = false, with_peers = false;
   EvaluationOptions evaluation;
   IntegrationOptions integration;
   BuildArguments build;
@@ -86,7 +89,8 @@ std::vector<std::string> arguments_of(const Options& options) {
 }
 
 SceneRuns runs_of(const scene::Scene& scene, const Options& options, const Interrupts& interrupts) {
-  const CompiledModel model = build(scene, integration_functions(scene), options.build);
+  const CompiledModel model =
+      build(scene, integration_functions(scene, options.integration), options.build, /*with_taylor=*/true);
   ProgressBar bar(scene.name + ", integration");
   return integration_runs(scene, model.library.abi(), options.integration, [&](double fraction) {
     interrupts.poll();
@@ -123,6 +127,7 @@ std::string command_of(const Options& options) {
   if (run.duration) command += " --duration " + shortest(*run.duration);
   if (run.error) command += " --error " + shortest(*run.error);
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
+  if (options.with_peers) command += " --peers";
   if (!options.plot.empty()) command += " --plot " + options.plot;
   return command + " --markdown";
 }
@@ -173,6 +178,7 @@ void check(const Options& options) {
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   if (options.integration_alone && !options.evaluation.functions.empty())
     refuse("--functions: found it beside --integration", "with --evaluation");
+  if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (options.plot.empty()) return;
@@ -182,8 +188,21 @@ void check(const Options& options) {
   if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
 }
 
-int report(const Options& options) {
+// Other engines that integrate.
+std::vector<Peer> integrating_peers() {
+  std::vector<Peer> list;
+  for (Peer& peer : peers_beside_program())
+    if (peer.functions().n_integrators > 0) list.push_back(std::move(peer));
+  if (list.empty())
+    refuse("--peers: found no other engine in the folder peers beside kanec",
+           "where libsimbody-dev or libmujoco-dev was installed when kanec was built");
+  return list;
+}
+
+int report(const Options& given) {
+  Options options = given;
   check(options);
+  if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
   std::optional<AtomicFile> picture;
@@ -230,6 +249,9 @@ void add_integration(CLI::App& command, Options& options) {
   command.add_option("--limit", run.limit, "wall time of one run, of the reference's five times that (1) [s]")
       ->check(CLI::Range(1e-3, 1e6))
       ->option_text("SECONDS")
+      ->group(group);
+  command
+      .add_flag("--peers", options.with_peers, "other engines' integrators beside them (Simbody, MuJoCo), gravity alone")
       ->group(group);
   command.add_option("--plot", options.plot, "wall time against error, as a picture")
       ->option_text("FILE.svg")
