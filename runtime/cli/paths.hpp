@@ -30,10 +30,9 @@ std::vector<double> emitted(const kanec_model& model, const scene::Scene& scene,
 template <class Real>
 std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std::string>& parts, const State& state);
 
-extern template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&,
-                                                 const State&);
+extern template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 extern template std::vector<long double> generic_path(const scene::Scene&, const std::vector<std::string>&,
-                                                 const State&);
+                                                      const State&);
 
 extern template std::vector<Precise> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 

@@ -1,5 +1,5 @@
-// What Eigen asks of a scalar beyond Precise's own operators, so that the generic path is evaluated in 50 digits. Not: the
-// arithmetic (precise.hpp).
+// What Eigen asks of a scalar beyond Precise's own operators, so that the generic path is evaluated in 50 digits. Not:
+// the arithmetic (precise.hpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

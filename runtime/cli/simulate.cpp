@@ -12,6 +12,7 @@
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/ensemble.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/integration_options.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/paths.hpp"
@@ -78,19 +79,6 @@ scene::Simulation simulation_of(const scene::Scene& scene, const Options& option
     return option != given.end() ? scene::Place{option->second} : scene::Place{scene.name, 0, "", "simulate." + key};
   });
   return run;
-}
-
-integrate::Options integration(const scene::Simulation& run) {
-  integrate::Options options;
-  options.method = integrate::method_of(run.integrator);
-  options.duration = run.duration;
-  options.output_step = run.output_step;
-  options.step = run.step;
-  options.relative_tolerance = run.relative_tolerance;
-  options.absolute_tolerance = run.absolute_tolerance;
-  options.jacobian = integrate::jacobian_of(run.jacobian);
-  options.order = run.order;
-  return options;
 }
 
 bool takes_standard_output(const Options& options) {
@@ -176,7 +164,7 @@ int simulate_many(const Options& options, const scene::Scene& scene, const integ
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
-  integrate::Options run = integration(simulation_of(scene, options));
+  integrate::Options run = integration_options(simulation_of(scene, options));
   if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;

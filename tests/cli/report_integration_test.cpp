@@ -130,7 +130,7 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
   const std::string pendulum = model("pendulum");
   refuses({"report", pendulum, "--evaluation", "--integration"}, "found it beside --integration; allowed: one of them");
   refuses({"report", pendulum, "--csv"}, "--csv: found two tables");
-  refuses({"report", pendulum, "--evaluation", "--plot", "a.svg"}, "--plot: found nothing to draw");
+  refuses({"report", pendulum, "--evaluation", "--peers"}, "--peers: found it beside --evaluation");
   refuses({"report", pendulum, pendulum, "--plot", "a.svg"}, "--plot: found 2 scenes; allowed: one scene a picture");
   refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
   refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");

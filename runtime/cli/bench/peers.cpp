@@ -79,8 +79,8 @@ std::vector<double> PeerSimulation::result(std::size_t state) {
 PeerMotion PeerSimulation::integrate(std::size_t state, int integrator, double fineness, std::span<const double> times,
                                      double limit) {
   std::vector<double> q(n_q_ * times.size()), u(n_u_ * times.size());
-  const kanec_peer_run run = {
-      integrator, static_cast<int32_t>(state), fineness, limit, static_cast<int32_t>(times.size()), times.data()};
+  const kanec_peer_run run = {integrator, static_cast<int32_t>(state),        fineness,
+                              limit,      static_cast<int32_t>(times.size()), times.data()};
   kanec_peer_motion motion = {q.data(), u.data(), 0.0, 0, 0, 0};
   std::array<char, 500> message{};
   if (functions_->integrate(simulation_.get(), &run, &motion, message.data(), message.size()) != 0)

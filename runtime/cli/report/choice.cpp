@@ -49,7 +49,8 @@ void mark_front(std::vector<IntegrationRun>& runs, double least) {
 const IntegrationRun* fastest_within(const SceneRuns& scene, double error) {
   const IntegrationRun* best = nullptr;
   for (const IntegrationRun& run : scene.runs)
-    if (run.ok() && run.options && run.worst_error <= error && (!best || run.wall_seconds < best->wall_seconds)) best = &run;
+    if (run.ok() && run.options && run.worst_error <= error && (!best || run.wall_seconds < best->wall_seconds))
+      best = &run;
   return best;
 }
 
@@ -77,12 +78,12 @@ std::string recommendation(const SceneRuns& scene, double error) {
   if (error < scene.reference_error)
     return wanted + fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
   if (const IntegrationRun* run = fastest_within(scene, error))
-    return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", title_of(*run),
-                                duration_text(run->wall_seconds), run->worst_error, command_of(scene, *run));
+    return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", title_of(*run), duration_text(run->wall_seconds),
+                                run->worst_error, command_of(scene, *run));
   const IntegrationRun* best = most_accurate(scene.runs);
   if (!best) return wanted + "no run got to the end";
-  return wanted + fmt::format("none of these; the most accurate is {}, with {:.1e}", title_of(*best),
-                              best->worst_error);
+  return wanted +
+         fmt::format("none of these; the most accurate is {}, with {:.1e}", title_of(*best), best->worst_error);
 }
 
 }  // namespace kanec::cli

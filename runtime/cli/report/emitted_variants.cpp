@@ -21,7 +21,8 @@ constexpr double min_time = 0.1;  // of each variant of a function [s]
 class Results {
  public:
   virtual ~Results() = default;
-  virtual std::vector<double> of(const std::string& function, std::size_t state) = 0;
+  // `request`: "a+b"
+  virtual std::vector<double> of(const std::string& request, std::size_t state) = 0;
 };
 
 class Single : public Results {
@@ -29,8 +30,8 @@ class Single : public Results {
   Single(const scene::Scene& scene, CompiledModel model, const std::vector<State>& states)
       : scene_(scene), model_(std::move(model)), states_(states) {}
 
-  std::vector<double> of(const std::string& function, std::size_t state) override {
-    return emitted(model_.library.abi(), scene_, function, states_[state]);
+  std::vector<double> of(const std::string& request, std::size_t state) override {
+    return emitted(model_.library.abi(), scene_, emitted_name(request), states_[state]);
   }
 
  private:
@@ -44,10 +45,10 @@ class InLanes : public Results {
   InLanes(CompiledModel model, const std::vector<State>& states)
       : model_(std::move(model)), batch_(batch_run(model_.library.batch(), states)) {}
 
-  std::vector<double> of(const std::string& function, std::size_t state) override {
-    const int call = batch_->find(function);
-    if (function != evaluated_) batch_->evaluate(call);
-    evaluated_ = function;
+  std::vector<double> of(const std::string& request, std::size_t state) override {
+    const int call = batch_->find(emitted_name(request));
+    if (request != evaluated_) batch_->evaluate(call);
+    evaluated_ = request;
     const std::vector<long double> result = batch_->result(call, state);
     return {result.begin(), result.end()};
   }
@@ -62,8 +63,8 @@ class GenericPath : public Results {
  public:
   GenericPath(const scene::Scene& scene, const std::vector<State>& states) : scene_(scene), states_(states) {}
 
-  std::vector<double> of(const std::string& function, std::size_t state) override {
-    return generic_path<double>(scene_, {function}, states_[state]);
+  std::vector<double> of(const std::string& request, std::size_t state) override {
+    return generic_path<double>(scene_, parts_of(request), states_[state]);
   }
 
  private:
@@ -87,12 +88,13 @@ class Variants {
   std::vector<VariantErrors> all() {
     const Contest contest = contests({scene_}, {options_.functions, list_, {}, min_time}).front();
     std::vector<VariantErrors> found;
-    for (const std::string& function : options_.functions) {
-      const Exact exact_doubles = exact(function, doubles_), exact_floats = exact(function, floats_);
+    for (const std::string& request : options_.functions) {
+      const std::string function = emitted_name(request);
+      const Exact exact_doubles = exact(request, doubles_), exact_floats = exact(request, floats_);
       for (const Entry& entry : contest.entries) {
         if (entry.function != function || !entry.time || is_the_same(entry)) continue;
         const bool is_float = entry.name == "float_lanes";
-        const UlpErrors ulps = errors(function, entry.name, is_float ? exact_floats : exact_doubles,
+        const UlpErrors ulps = errors(request, entry.name, is_float ? exact_floats : exact_doubles,
                                       is_float ? digits_of_float : digits_of_double);
         found.push_back({function, entry.name, is_float, ulps, entry.time->median});
       }
@@ -114,9 +116,9 @@ class Variants {
     return entry.function != "accelerations" && (entry.name == "composite" || entry.name == "articulated");
   }
 
-  Exact exact(const std::string& function, const std::vector<State>& states) const {
+  Exact exact(const std::string& request, const std::vector<State>& states) const {
     Exact list;
-    for (const State& state : states) list.push_back(generic_result<Precise>(scene_, {function}, state));
+    for (const State& state : states) list.push_back(generic_result<Precise>(scene_, parts_of(request), state));
     return list;
   }
 
@@ -129,18 +131,18 @@ class Variants {
                                      is_float ? floats_ : doubles_);
   }
 
-  UlpErrors errors(const std::string& function, const std::string& variant, const Exact& exact, int digits) {
+  UlpErrors errors(const std::string& request, const std::string& variant, const Exact& exact, int digits) {
     std::unique_ptr<Results>& results = results_[variant];
     if (!results) results = results_of(variant);
     StateErrors list(options_.random.size());
     for (std::size_t i = 0; i < exact.size(); ++i)
-      list.add(exact[i] ? std::optional(error(results->of(function, i), function, i, *exact[i])) : std::nullopt);
+      list.add(exact[i] ? std::optional(error(results->of(request, i), request, i, *exact[i])) : std::nullopt);
     return list.summary(digits);
   }
 
-  StateError error(const std::vector<double>& found, const std::string& function, std::size_t state,
-              const std::vector<Precise>& exact) const {
-    return {difference(comparable(scene_, {function}, doubles_[state].x, found), exact), largest(exact)};
+  StateError error(const std::vector<double>& found, const std::string& request, std::size_t state,
+                   const std::vector<Precise>& exact) const {
+    return {difference(comparable(scene_, parts_of(request), doubles_[state].x, found), exact), largest(exact)};
   }
 
   const scene::Scene& scene_;

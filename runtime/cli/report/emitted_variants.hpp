@@ -23,8 +23,8 @@ struct VariantErrors {
 };
 
 struct VariantOptions {
-  std::vector<std::string> functions;
-  std::vector<State> random, hard;  // the scene's default parameters and inputs are put in their place
+  std::vector<std::string> functions;  // "accelerations", "a+b"
+  std::vector<State> random, hard;     // the scene's default parameters and inputs are put in their place
   BuildArguments build;
 };
 

@@ -53,7 +53,7 @@ struct Place {
 class Measuring {
  public:
   Measuring(const scene::Scene& scene, const EvaluationOptions& options, const std::function<void(double)>& progress)
-      : scene_(scene), progress_(progress), random_(samples(scene, options.states, options.seed)) {
+      : scene_(scene), options_(options), progress_(progress), random_(samples(scene, options.states, options.seed)) {
     states_ = random_;
     for (State& state : hard_states(scene, random_)) states_.push_back(std::move(state));
     const std::vector<std::string> names = evaluated_functions(scene, options);
@@ -70,10 +70,17 @@ class Measuring {
     result.speeds = n_speeds(scene_);
     add_condition(result);
     for (const auto& [name, ways] : work_) result.functions.push_back(of(name, ways));
+    if (options_.is_timed) result.variants = variants();
     return result;
   }
 
  private:
+  std::vector<VariantErrors> variants() const {
+    VariantOptions options{{}, random_, hard_states(scene_, random_), options_.build};
+    for (const auto& [name, ways] : work_) options.functions.push_back(name);
+    return variant_errors(scene_, options);
+  }
+
   // Of A with rows and columns scaled to a unit diagonal, so that units have no part in it.
   void add_condition(SceneErrors& result) const {
     std::vector<double> conditions;
@@ -151,7 +158,7 @@ class Measuring {
   }
 
   StateError error_from_generic(const std::vector<std::string>& parts, const Place& place,
-                           const std::vector<double>& found) const {
+                                const std::vector<double>& found) const {
     const auto is_finite = [](double value) { return std::isfinite(value); };
     const double size = largest(*place.generic);
     if (!std::all_of(found.begin(), found.end(), is_finite)) return {infinity, size};
@@ -159,7 +166,8 @@ class Measuring {
     return {distance(comparable(scene_, parts, place.state.x, wide), *place.generic), size};
   }
 
-  static StateError error_in_float(const program::Program& program, const program::Function& function, const State& state) {
+  static StateError error_in_float(const program::Program& program, const program::Function& function,
+                                   const State& state) {
     const State rounded = in_float(state);
     const std::vector<float> found = program::evaluate(program, function, arguments<float>(rounded));
     const std::vector<Precise> exact = precise(program, function.name, rounded);
@@ -169,6 +177,7 @@ class Measuring {
   static constexpr std::size_t most_outputs = 24;  // whose expected errors are looked at
 
   const scene::Scene& scene_;
+  const EvaluationOptions& options_;
   const std::function<void(double)>& progress_;
   std::vector<State> random_, states_;
   std::vector<std::pair<std::string, std::vector<NamedWay>>> work_;

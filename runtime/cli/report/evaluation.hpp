@@ -45,6 +45,7 @@ struct EvaluationOptions {
   int states = 32;
   std::uint64_t seed = 1;
   bool is_timed = false;  // variants are compiled and timed
+  BuildArguments build;
 };
 
 // States in which angles are large, axes stand along each other, or speeds are high, made of the random ones.

@@ -32,6 +32,16 @@ double momentum_error(const Summary& summary, const MotionScales& scales) {
   return std::max(beside(summary.angular_momentum->worst, angular), beside(summary.linear_momentum->worst, linear));
 }
 
+// taylor_extended is for references: it is run where it is named.
+std::vector<Method> methods_of(const IntegrationOptions& options) {
+  std::vector<Method> list;
+  for (const std::string& name : options.integrators.empty() ? integrate::method_names() : options.integrators) {
+    const Method method = integrate::method_of(name);
+    if (method != Method::taylor_extended || !options.integrators.empty()) list.push_back(method);
+  }
+  return list;
+}
+
 class Sweep {
  public:
   Sweep(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,

@@ -38,7 +38,7 @@ struct IntegrationRun {
   double tolerance = 0.0;                     // relative; 0: equal steps
   std::optional<integrate::Options> options;  // of kanec's own integrators
   std::string failure;                        // empty: it went through
-  double wall_seconds = 0.0;  // least of a few; of a failed run, until it failed
+  double wall_seconds = 0.0;                  // least of a few; of a failed run, until it failed
   std::int64_t steps = 0, rejected = 0, evaluations = 0;
   std::optional<std::int64_t> jacobians;      // evaluations of emitted derivatives, where the method takes some
   MotionError end, worst;                     // at the end; largest of each over the rows

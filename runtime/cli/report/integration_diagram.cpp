@@ -16,8 +16,8 @@ namespace {
 std::string tick(double value) { return fmt::format("{:.0e}", value); }
 
 std::string label_of(const IntegrationRun& run) {
-  return fmt::format("{}: {}, worst error {:.1e}, {} evaluations", title_of(run),
-                     duration_text(run.wall_seconds), run.worst_error, run.evaluations);
+  return fmt::format("{}: {}, worst error {:.1e}, {} evaluations", title_of(run), duration_text(run.wall_seconds),
+                     run.worst_error, run.evaluations);
 }
 
 // A line a method, in the order of the runs.

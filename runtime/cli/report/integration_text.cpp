@@ -17,8 +17,9 @@ namespace kanec::cli {
 namespace {
 
 // In the order of row_of(); the last ones stand there only where a run has them.
-const TextRow headings = {"",         "method",   "setting", "wall", "steps",  "evaluations", "Jacobians", "error",  "at the end",
-                          "position", "attitude", "speed",   "spin", "energy", "momentum",    "|eps|-1"};
+const TextRow headings = {"",          "method", "setting",    "wall",     "steps",    "evaluations",
+                          "Jacobians", "error",  "at the end", "position", "attitude", "speed",
+                          "spin",      "energy", "momentum",   "|eps|-1"};
 const TextRow units = {"", "", "", "", "", "", "", "", "", "[m]", "[rad]", "[m/s]", "[rad/s]", "", "", ""};
 
 std::string shown(double value) { return fmt::format("{:.1e}", value); }
@@ -26,13 +27,19 @@ std::string shown(double value) { return fmt::format("{:.1e}", value); }
 std::string shown(const std::optional<double>& value) { return value ? shown(*value) : ""; }
 
 TextRow row_of(const IntegrationRun& run) {
-  TextRow row = {run.is_on_front ? "*" : "", run.method, run.setting,
-                 duration_text(run.wall_seconds)};
-  const TextRow rest = {std::to_string(run.steps), std::to_string(run.evaluations),
+  TextRow row = {run.is_on_front ? "*" : "", run.method, run.setting, duration_text(run.wall_seconds)};
+  const TextRow rest = {std::to_string(run.steps),
+                        std::to_string(run.evaluations),
                         run.jacobians ? std::to_string(*run.jacobians) : "",
-                        shown(run.worst_error),    shown(run.end_error),         shown(run.worst.position),
-                        shown(run.worst.attitude), shown(run.worst.speed),       shown(run.worst.spin),
-                        shown(run.energy),         shown(run.momentum),          shown(run.norm)};
+                        shown(run.worst_error),
+                        shown(run.end_error),
+                        shown(run.worst.position),
+                        shown(run.worst.attitude),
+                        shown(run.worst.speed),
+                        shown(run.worst.spin),
+                        shown(run.energy),
+                        shown(run.momentum),
+                        shown(run.norm)};
   row.insert(row.end(), rest.begin(), rest.end());
   return row;
 }
@@ -134,10 +141,9 @@ std::string csv_numbers(const IntegrationRun& run) {
   const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
   const MotionError &e = run.end, &w = run.worst;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run.steps, run.rejected, run.evaluations,
-                     run.jacobians ? std::to_string(*run.jacobians) : "",
-                     run.worst_error, w.position, w.attitude, w.speed, w.spin, run.end_error, e.position, e.attitude,
-                     e.speed, e.spin, number(run.energy), number(run.momentum), number(run.norm),
-                     run.is_on_front ? 1 : 0);
+                     run.jacobians ? std::to_string(*run.jacobians) : "", run.worst_error, w.position, w.attitude,
+                     w.speed, w.spin, run.end_error, e.position, e.attitude, e.speed, e.spin, number(run.energy),
+                     number(run.momentum), number(run.norm), run.is_on_front ? 1 : 0);
 }
 
 std::string csv_line(const SceneRuns& scene, const IntegrationRun& run) {
@@ -233,7 +239,8 @@ Json integration_json(const SceneRuns& scene, std::optional<double> error) {
 
 std::string integration_csv(const std::vector<SceneRuns>& scenes) {
   std::string text =
-      "model,method,step[s],relative_tolerance,wall[s],steps,rejected,evaluations,jacobians,worst_error,worst_position[m],"
+      "model,method,step[s],relative_tolerance,wall[s],steps,rejected,evaluations,jacobians,worst_error,worst_position["
+      "m],"
       "worst_attitude[rad],worst_speed[m/s],worst_spin[rad/s],end_error,end_position[m],end_attitude[rad],"
       "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
   for (const SceneRuns& scene : scenes)

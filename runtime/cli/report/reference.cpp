@@ -89,9 +89,7 @@ std::string setting_text(const integrate::Options& options) {
   return fmt::format("rtol {:.0e}", options.relative_tolerance);
 }
 
-std::string method_text(const integrate::Options& options) {
-  return name_of(options) + ", " + setting_text(options);
-}
+std::string method_text(const integrate::Options& options) { return name_of(options) + ", " + setting_text(options); }
 
 Reference reference(const Trials& trials, const integrate::Options& base, double step, double limit) {
   std::optional<Limit> best, check;

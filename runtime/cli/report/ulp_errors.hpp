@@ -1,4 +1,4 @@
-// StateErrors in many states put together, in units in the last place. Not: how an error is found.
+// Errors in many states put together, in units in the last place. Not: how an error is found.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ struct UlpErrors {
 
 constexpr int digits_of_double = 53, digits_of_float = 24;
 
-// StateErrors in one state and what they are measured by; an error is infinite where a result is not finite.
+// The error in one state and what it is measured by; an error is infinite where a result is not finite.
 struct StateError {
   double error = std::numeric_limits<double>::infinity(), size = 0.0;
 };

@@ -95,21 +95,20 @@ void* create(const kanec_peer_model* model, int32_t n_slots, char* message, size
 
 template <class Engine>
 kanec_peer peer(const char* name, const char* note) {
-  kanec_peer peer = {
-          KANEC_PEER_ABI_VERSION,
-          sizeof(kanec_peer),
-          name,
-          note,
-          &create<Engine>,
-          [](void* engine) { delete static_cast<Engine*>(engine); },
-          [](void* engine, int32_t slot, const double* q, const double* u, const double* force) {
-            static_cast<Engine*>(engine)->set(slot, q, u, force);
-          },
-          [](void* engine, int32_t slot) { static_cast<Engine*>(engine)->accelerate(slot); },
-          [](void* engine, double* u_rate) { static_cast<Engine*>(engine)->result(u_rate); },
-          0,
-          nullptr,
-          nullptr};
+  kanec_peer peer = {KANEC_PEER_ABI_VERSION,
+                     sizeof(kanec_peer),
+                     name,
+                     note,
+                     &create<Engine>,
+                     [](void* engine) { delete static_cast<Engine*>(engine); },
+                     [](void* engine, int32_t slot, const double* q, const double* u, const double* force) {
+                       static_cast<Engine*>(engine)->set(slot, q, u, force);
+                     },
+                     [](void* engine, int32_t slot) { static_cast<Engine*>(engine)->accelerate(slot); },
+                     [](void* engine, double* u_rate) { static_cast<Engine*>(engine)->result(u_rate); },
+                     0,
+                     nullptr,
+                     nullptr};
   if constexpr (integrates<Engine>) {
     peer.n_integrators = static_cast<int32_t>(Engine::integrators.size());
     peer.integrators = Engine::integrators.data();

@@ -1,5 +1,5 @@
-// MuJoCo's way from a state to accelerations and along a motion, without what it does for contacts, constraints, actuators and sensors.
-// Not: how it is timed.
+// MuJoCo's way from a state to accelerations and along a motion, without what it does for contacts, constraints,
+// actuators and sensors. Not: how it is timed.
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mujoco/mujoco.h>
 
@@ -153,7 +153,8 @@ class Engine {
     motion.seconds = watch.seconds();
     motion.evaluations = (is_rk4 ? 4 : 1) * motion.steps;
     if (data_->warning[mjWARN_BADQPOS].number + data_->warning[mjWARN_BADQVEL].number +
-            data_->warning[mjWARN_BADQACC].number > 0)
+            data_->warning[mjWARN_BADQACC].number >
+        0)
       throw std::runtime_error("it began anew, as its numbers grew beyond its bounds");
   }
 
