@@ -91,10 +91,12 @@ Vector3<Real> System<Real>::constant(const scene::Vector& a) const {
 
 template <class Real>
 Matrix3<Real> System<Real>::symmetric(const scene::Symmetric& a) const {
-  const Real xx = constant(a.xx), yy = constant(a.yy), zz = constant(a.zz);
-  const Real xy = constant(a.xy), xz = constant(a.xz), yz = constant(a.yz);
+  const Real I_xx = constant(a.xx), I_yy = constant(a.yy), I_zz = constant(a.zz);
+  const Real I_xy = constant(a.xy), I_xz = constant(a.xz), I_yz = constant(a.yz);
   Matrix3<Real> m;
-  m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  m << I_xx, I_xy, I_xz,  //
+      I_xy, I_yy, I_yz,   //
+      I_xz, I_yz, I_zz;
   return m;
 }
 

@@ -32,16 +32,6 @@ double momentum_error(const Summary& summary, const MotionScales& scales) {
   return std::max(beside(summary.angular_momentum->worst, angular), beside(summary.linear_momentum->worst, linear));
 }
 
-// taylor_extended is for references: it is run where it is named.
-std::vector<Method> methods_of(const IntegrationOptions& options) {
-  std::vector<Method> list;
-  for (const std::string& name : options.integrators.empty() ? integrate::method_names() : options.integrators) {
-    const Method method = integrate::method_of(name);
-    if (method != Method::taylor_extended || !options.integrators.empty()) list.push_back(method);
-  }
-  return list;
-}
-
 class Sweep {
  public:
   Sweep(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
@@ -123,7 +113,7 @@ class Sweep {
   void with_tolerances(const NamedMethod& method) {
     for (int decade = coarsest_decade; decade <= finest_decade; ++decade) {
       const Trial trial = trials_.timed(at_tolerance(method.options, decade), options_.limit);
-      add(method, trial);
+      add(trial);
       if (trial.out_of_time) return;
     }
   }
@@ -134,7 +124,7 @@ class Sweep {
       Options options = with(method.options);
       options.step = step;
       const Trial trial = trials_.timed(options, options_.limit);
-      add(method, trial);
+      add(trial);
       if (trial.out_of_time || (trial.ok() && refinement.is_done(runs_.back().worst_error))) return;
     }
   }
@@ -147,13 +137,8 @@ class Sweep {
       runs_.push_back(std::move(run));
   }
 
-  void add(const NamedMethod& method, const Trial& trial) {
-    const bool fixed = has_fixed_step(trial.options.method);
-    IntegrationRun run;
-    run.method = method.name;
-    run.setting = setting_text(trial.options);
-    (fixed ? run.step : run.tolerance) = fixed ? trial.options.step : trial.options.relative_tolerance;
-    run.options = trial.options;
+  void add(const Trial& trial) {
+    IntegrationRun run = run_with(trial.options);
     run.failure = trial.failure + (trial.out_of_time ? "; finer ones are left out" : "");
     run.wall_seconds = trial.wall_seconds;
     if (trial.ok()) judge(trial, run);
@@ -188,6 +173,18 @@ class Sweep {
 };
 
 }  // namespace
+
+IntegrationRun run_with(const Options& options) {
+  IntegrationRun run;
+  run.method = name_of(options);
+  run.setting = setting_text(options);
+  if (has_fixed_step(options.method))
+    run.step = options.step;
+  else
+    run.tolerance = options.relative_tolerance;
+  run.options = options;
+  return run;
+}
 
 void measure(IntegrationRun& run, const std::vector<Bodies>& rows, const Reference& reference) {
   for (std::size_t i = 0; i < rows.size(); ++i) {

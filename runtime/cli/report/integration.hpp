@@ -51,6 +51,9 @@ struct IntegrationRun {
   bool ok() const { return failure.empty(); }
 };
 
+// A run of kanec's own, not yet made.
+IntegrationRun run_with(const integrate::Options& options);
+
 struct SceneRuns {
   std::string model;
   std::string path;  // as it was given, for a command to type
