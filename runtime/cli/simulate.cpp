@@ -190,8 +190,8 @@ Resumed start_of(const Options& options, const scene::Scene& scene, integrate::O
   run.start = resumed.state.t;
   run.work = resumed.work;
   if (run.duration < run.start)
-    throw InputError("--resume: found a trajectory until " + shortest(run.start) + " s; allowed: one that ends before " +
-                     shortest(run.duration) + " s, the duration");
+    throw InputError("--resume: found a trajectory until " + shortest(run.start) +
+                     " s; allowed: one that ends before " + shortest(run.duration) + " s, the duration");
   return resumed;
 }
 

@@ -140,9 +140,9 @@ class Gauss final : public FixedStep {
 
   const Tableau<s>& tableau_;
   std::vector<double> last_step_ = {0.0};  // its length; one entry
-  int worst_ = 0;             // component that changed most in the last sweep
-  Compensated sum_;           // over the steps
-  std::vector<double> size_;  // largest magnitude of each component so far
+  int worst_ = 0;                          // component that changed most in the last sweep
+  Compensated sum_;                        // over the steps
+  std::vector<double> size_;               // largest magnitude of each component so far
   std::vector<double> stage_, rate_;
   std::array<std::vector<double>, s> rates_, guesses_;
 };
@@ -150,8 +150,7 @@ class Gauss final : public FixedStep {
 }  // namespace
 
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book) {
-  if (options.method == Method::gauss4)
-    return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
+  if (options.method == Method::gauss4) return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
   return std::make_unique<Gauss<3>>(system, std::move(z), options, order_6, book);
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "runtime/base/error.hpp"
+#include "runtime/cli/report/methods.hpp"
 #include "runtime/integrate/norm.hpp"
 
 namespace kanec::cli {
@@ -88,9 +89,7 @@ std::string setting_text(const integrate::Options& options) {
   return fmt::format("rtol {:.0e}", options.relative_tolerance);
 }
 
-std::string method_text(const integrate::Options& options) {
-  return name_of(options.method) + ", " + setting_text(options);
-}
+std::string method_text(const integrate::Options& options) { return name_of(options) + ", " + setting_text(options); }
 
 Reference reference(const Trials& trials, const integrate::Options& base, double step, double limit) {
   std::optional<Limit> best, check;
