@@ -62,8 +62,7 @@ class Engine {
  public:
   explicit Engine(const EnsembleJob& job)
       : options_{job.run, job.ensemble.keep_every}, in_lanes_(job.run.method == integrate::Method::rk4) {
-    std::vector<std::string> functions =
-        needed_functions(job.run, Functions(job.scene).has("power"), n_coordinates(job.scene));
+    std::vector<std::string> functions = functions_to_integrate(job.scene, options_.run);
     functions.emplace_back("energy");
     if (in_lanes_) {
       model_.emplace(build_batch(job.scene, functions, job.build));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "generator/reach.hpp"
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/options.hpp"
@@ -35,8 +36,19 @@ std::vector<std::string> parts_of_emitted(const std::string& name, const std::ve
   return {name};
 }
 
+std::vector<std::string> functions_to_integrate(const scene::Scene& scene, integrate::Options& options) {
+  using integrate::JacobianChoice;
+  constexpr long much = 4000;  // operations of A; its derivatives take some ten times as many
+  if (options.jacobian == JacobianChoice::automatic && mass_matrix_operations(scene) > much)
+    options.jacobian = JacobianChoice::differences;
+  std::vector<std::string> list = needed_functions(options, Functions(scene).has("power"), n_coordinates(scene));
+  if (!options.events.empty()) list.emplace_back("events");
+  return list;
+}
+
 std::string all_rates(const scene::Scene& scene) {
-  return integrate::needed_functions({}, Functions(scene).has("power"), n_coordinates(scene)).front();
+  integrate::Options explicit_method;
+  return functions_to_integrate(scene, explicit_method).front();
 }
 
 Functions::Functions(const scene::Scene& scene) : all_(available_functions(scene)) {}

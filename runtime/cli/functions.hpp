@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/pipeline.hpp"
+#include "runtime/integrate/options.hpp"
 
 namespace kanec::cli {
 
@@ -19,8 +20,12 @@ struct Needs {
 std::vector<std::string> parts_of(const std::string& request);
 std::string emitted_name(const std::string& request);  // "kinematics_and_accelerations"
 
-// kinematics+accelerations, with power where the scene has it: all that an integrator needs, in one call.
+// kinematics+accelerations, with power where the scene has it: all rates of a state in one call.
 std::string all_rates(const scene::Scene& scene);
+
+// What an integrator calls. A Jacobian that is not asked for by name, and would take minutes to compile, is left to
+// differences: options.jacobian says so then.
+std::vector<std::string> functions_to_integrate(const scene::Scene& scene, integrate::Options& options);
 
 // The parts of an emitted function, where these were the requests: itself where none of them combines it.
 std::vector<std::string> parts_of_emitted(const std::string& name, const std::vector<std::string>& requests);

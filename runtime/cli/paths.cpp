@@ -5,6 +5,7 @@
 
 #include "generator/program/evaluate.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/cli/precise_scalar.hpp"
 #include "runtime/generic/evaluate.hpp"
 
 namespace kanec::cli {
@@ -34,7 +35,8 @@ std::vector<double> read_parameters(const kanec_model& model, const scene::Scene
   return kept(model.parameter_names, model.n_parameters, scene.parameters, values);
 }
 
-std::vector<double> read_inputs(const kanec_model& model, const scene::Scene& scene, const std::vector<double>& values) {
+std::vector<double> read_inputs(const kanec_model& model, const scene::Scene& scene,
+                                const std::vector<double>& values) {
   return kept(model.input_names, model.n_inputs, scene.inputs, values);
 }
 
@@ -70,9 +72,12 @@ std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std:
 template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 template std::vector<long double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 
+template std::vector<Precise> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
+
 std::vector<Precise> precise(const program::Program& program, const std::string& function, const State& state) {
-  const program::Arguments<Precise> arguments{as<Precise>(state.parameters), as<Precise>(state.x), as<Precise>(state.y),
-                                              as<Precise>(state.ydot), as<Precise>(state.inputs), Precise(state.t)};
+  const program::Arguments<Precise> arguments{as<Precise>(state.parameters), as<Precise>(state.x),
+                                              as<Precise>(state.y),          as<Precise>(state.ydot),
+                                              as<Precise>(state.inputs),     Precise(state.t)};
   return program::evaluate(program, find(program, function), arguments);
 }
 

@@ -26,14 +26,15 @@ Solver solver_of(const kanec_model& model, const scene::Scene& scene, const Stat
 std::vector<double> emitted(const kanec_model& model, const scene::Scene& scene, const std::string& function,
                             const State& state);
 
-// runtime/generic, in double or long double; of a request of several parts, one result after another.
+// runtime/generic, in double, long double or 50 digits; of a request of several parts, one result after another.
 template <class Real>
 std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std::string>& parts, const State& state);
 
-extern template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&,
-                                                 const State&);
+extern template std::vector<double> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 extern template std::vector<long double> generic_path(const scene::Scene&, const std::vector<std::string>&,
-                                                 const State&);
+                                                      const State&);
+
+extern template std::vector<Precise> generic_path(const scene::Scene&, const std::vector<std::string>&, const State&);
 
 // The program that was emitted, its constants rounded as they are there, in 50 digits.
 std::vector<Precise> precise(const program::Program& program, const std::string& function, const State& state);

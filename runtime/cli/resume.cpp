@@ -14,7 +14,8 @@
 namespace kanec::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& found, const std::string& allowed) {
+[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& found,
+                         const std::string& allowed) {
   throw InputError(file + ":" + std::to_string(line) + ": found " + found + "; allowed: " + allowed);
 }
 
@@ -66,7 +67,8 @@ Resumed read_trajectory(std::string_view text, const std::string& file, const sc
     auto numbers = numbers_of(lines[i]);
     if (!numbers || numbers->size() != 1 + names.coordinates.size() + names.speeds.size() + 3 + names.inputs.size())
       refuse(file, i + 1, scene::in_quotes(lines[i]), "a finite number a column");
-    if (i > 1 && !(numbers->front() > row.front())) refuse(file, i + 1, "a time not after the row before", "rows in time");
+    if (i > 1 && !(numbers->front() > row.front()))
+      refuse(file, i + 1, "a time not after the row before", "rows in time");
     row = std::move(*numbers);
   }
   Resumed resumed = of_row(row, scene, names);

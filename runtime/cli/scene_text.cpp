@@ -69,9 +69,7 @@ class Writer {
     text_ += motion_text(scene_, body);
   }
 
-  std::string body_name(int k) const {
-    return k == 0 ? "ground" : scene_.bodies[static_cast<std::size_t>(k - 1)].name;
-  }
+  std::string body_name(int k) const { return k == 0 ? "ground" : scene_.bodies[static_cast<std::size_t>(k - 1)].name; }
 
   void place(const std::string& prefix, const scene::Point& point) {
     text_ += fmt::format("{}body = \"{}\"\n", prefix, body_name(point.body));
@@ -103,7 +101,8 @@ class Writer {
   std::string coordinate_of(const scene::Load& load) const {
     const scene::Joint& joint = scene_.bodies[static_cast<std::size_t>(load.point.body - 1)].joint;
     const std::string name = fmt::format("{}_{}", load.turn ? "theta" : "s", load.point.body);
-    return (load.turn ? joint.turns : joint.slides).size() == 1 ? name : fmt::format("{}_{}", name, load.coordinate + 1);
+    return (load.turn ? joint.turns : joint.slides).size() == 1 ? name
+                                                                : fmt::format("{}_{}", name, load.coordinate + 1);
   }
 
   void acting(const scene::Load& load) {

@@ -13,6 +13,7 @@
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/ensemble.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/integration_options.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/paths.hpp"
@@ -88,20 +89,6 @@ scene::Simulation simulation_of(const scene::Scene& scene, const Options& option
   return run;
 }
 
-integrate::Options integration(const scene::Scene& scene, const scene::Simulation& run) {
-  integrate::Options options;
-  options.events = watched_events(scene);
-  options.method = integrate::method_of(run.integrator);
-  options.duration = run.duration;
-  options.output_step = run.output_step;
-  options.step = run.step;
-  options.relative_tolerance = run.relative_tolerance;
-  options.absolute_tolerance = run.absolute_tolerance;
-  options.jacobian = integrate::jacobian_of(run.jacobian);
-  options.order = run.order;
-  return options;
-}
-
 bool takes_standard_output(const Options& options) {
   return is_standard_output(options.csv) || is_standard_output(options.plot) ||
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
@@ -161,10 +148,9 @@ class Products {
 };
 
 // What the integrator calls, and what the summary tells of.
-std::vector<std::string> functions_for(const scene::Scene& scene, const integrate::Options& run) {
-  std::vector<std::string> list = needed_functions(run, Functions(scene).has("power"), n_coordinates(scene));
+std::vector<std::string> functions_for(const scene::Scene& scene, integrate::Options& run) {
+  std::vector<std::string> list = functions_to_integrate(scene, run);
   list.insert(list.end(), {"energy", "momentum"});
-  if (!run.events.empty()) list.push_back("events");
   return list;
 }
 
@@ -204,8 +190,8 @@ Resumed start_of(const Options& options, const scene::Scene& scene, integrate::O
   run.start = resumed.state.t;
   run.work = resumed.work;
   if (run.duration < run.start)
-    throw InputError("--resume: found a trajectory until " + shortest(run.start) + " s; allowed: one that ends before " +
-                     shortest(run.duration) + " s, the duration");
+    throw InputError("--resume: found a trajectory until " + shortest(run.start) +
+                     " s; allowed: one that ends before " + shortest(run.duration) + " s, the duration");
   return resumed;
 }
 
@@ -229,7 +215,7 @@ int simulate_many(const Options& options, const scene::Scene& scene, const integ
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
-  integrate::Options run = integration(set, simulation_of(scene, options));
+  integrate::Options run = integration_options(set, simulation_of(scene, options));
   if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;

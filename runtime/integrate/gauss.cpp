@@ -89,19 +89,22 @@ class Gauss final : public FixedStep {
   // Until the stages change by rounding alone, which no longer falls (Hairer, Lubich & Wanner, VIII.6).
   void iterate(double t, double h) {
     for (std::size_t i = 0; i < z_.size(); ++i) size_[i] = std::max(size_[i], std::fabs(z_[i]));
-    double before = std::numeric_limits<double>::infinity();
-    for (int count = 0; count < most_iterations; ++count) {
+    double least = std::numeric_limits<double>::infinity();
+    int stalled = 0;
+    for (int count = 0; count < most_iterations && stalled < patience; ++count) {
       const double change = improve(t, h, count == 0);
       if (!std::isfinite(change)) refuse(t, h);
-      if (change == 0.0 || (change >= before && change < rounding)) return;
-      before = change;
+      if (change == 0.0 || (change >= least && change < rounding)) return;
+      stalled = change < least ? 0 : stalled + 1;
+      least = std::min(least, change);
     }
-    if (before >= rounding) refuse(t, h);  // below it each iteration was a little better
+    if (least >= (stalled == patience ? noise : rounding)) refuse(t, h);
   }
 
-  [[noreturn]] static void refuse(double t, double h) {
+  [[noreturn]] void refuse(double t, double h) const {
     throw IntegrationError("integration stopped at t = " + shortest(t) + " s: the stages of a step of " + shortest(h) +
-                           " s do not converge; take shorter steps, or a method for stiff systems");
+                           " s do not converge, least of all " + system().component(worst_) +
+                           "; take shorter steps, or a method for stiff systems");
   }
 
   // One sweep; returns the largest change of a stage beside the largest value that its component has had.
@@ -119,7 +122,11 @@ class Gauss final : public FixedStep {
       }
       for (std::size_t i = 0; i < z_.size(); ++i) {
         const double change = std::fabs(h * (rate_[i] - rates_[j][i]));
-        if (change > 0.0) largest = worse(largest, change / (size_[i] + std::fabs(h * rate_[i])));
+        if (change > 0.0) {
+          const double share = change / (size_[i] + std::fabs(h * rate_[i]));
+          if (!(share <= largest)) worst_ = static_cast<int>(i);
+          largest = worse(largest, share);
+        }
         rates_[j][i] = rate_[i];
       }
     }
@@ -128,11 +135,14 @@ class Gauss final : public FixedStep {
 
   static constexpr int most_iterations = 100;
   static constexpr double rounding = 1e-12;  // below it a change that no longer falls is taken for rounding
+  static constexpr int patience = 6;         // changes in a row that do not fall
+  static constexpr double noise = 1e-6;      // below it these are taken for rounding of the rates
 
   const Tableau<s>& tableau_;
   std::vector<double> last_step_ = {0.0};  // its length; one entry
-  Compensated sum_;           // over the steps
-  std::vector<double> size_;  // largest magnitude of each component so far
+  int worst_ = 0;                          // component that changed most in the last sweep
+  Compensated sum_;                        // over the steps
+  std::vector<double> size_;               // largest magnitude of each component so far
   std::vector<double> stage_, rate_;
   std::array<std::vector<double>, s> rates_, guesses_;
 };
@@ -140,8 +150,7 @@ class Gauss final : public FixedStep {
 }  // namespace
 
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book) {
-  if (options.method == Method::gauss4)
-    return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
+  if (options.method == Method::gauss4) return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
   return std::make_unique<Gauss<3>>(system, std::move(z), options, order_6, book);
 }
 

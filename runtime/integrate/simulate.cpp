@@ -80,7 +80,8 @@ class Run {
       const Event& event = options_.events[static_cast<std::size_t>(happening.event)];
       has_row = has_row || event.has_row;
       summary_.stopped = summary_.stopped || event.stops;
-      for (const Event::Setting& setting : event.settings) inputs[static_cast<std::size_t>(setting.input)] = setting.value;
+      for (const Event::Setting& setting : event.settings)
+        inputs[static_cast<std::size_t>(setting.input)] = setting.value;
     }
     if (summary_.stopped || (has_row && t < next_row)) add_row(t, z);
     if (summary_.stopped || inputs == before) return !summary_.stopped;

@@ -118,8 +118,7 @@ std::vector<double> state_at_start(const kanec_model& model, std::span<const dou
   return z;
 }
 
-std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y,
-                                          double work) const {
+std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y, double work) const {
   std::vector<double> z = state_at_start(solver_->model(), x, y);
   z.resize(static_cast<std::size_t>(size_), 0.0);
   if (has_work_) z.back() = work;

@@ -37,7 +37,6 @@ class System {
   // Of rates and of the residual.
   std::int64_t evaluations() const { return evaluations_; }
   void count_evaluation() { ++evaluations_; }  // made elsewhere
-  const Solver& solver() const { return *solver_; }
 
   // z at the start: state_at_start() and the work before.
   std::vector<double> initial_state(std::span<const double> x, std::span<const double> y, double work = 0.0) const;

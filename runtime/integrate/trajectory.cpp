@@ -48,7 +48,10 @@ void append_csv(std::string& line, const Row& row, std::span<const int> inputs) 
 }
 
 Trajectory::Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy)
-    : file_(path), has_energy_(has_energy), n_state_(names.coordinates.size() + names.speeds.size()), inputs_(names.input_indices) {
+    : file_(path),
+      has_energy_(has_energy),
+      n_state_(names.coordinates.size() + names.speeds.size()),
+      inputs_(names.input_indices) {
   file_.write(csv_header(names, has_energy) + "\n");
 }
 

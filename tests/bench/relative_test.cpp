@@ -79,6 +79,26 @@ TEST(RelativeState, rates_are_those_of_the_speeds) {
   }
 }
 
+// A few hundred roundings, up to a sign of all four Euler parameters.
+TEST(RelativeState, scene_state_undoes_it) {
+  for (const scene::Scene& scene : scenes()) {
+    const RelativeModel model = relative_model(scene);
+    const RelativeStates states(scene, model);
+    const scene::Layout layout(scene);
+    for (const State& state : samples(scene, 2, 3)) {
+      State found = states.scene_state(states.of(state), initial_state(scene));
+      for (const scene::BodyLayout& body : layout.bodies) {
+        if (body.eps < 0) continue;
+        const auto at = static_cast<std::size_t>(body.eps);
+        if (found.x[at] * state.x[at] < 0.0)
+          for (std::size_t i = 0; i < 4; ++i) found.x[at + i] *= -1.0;
+      }
+      EXPECT_THAT(found.x, testing::Pointwise(testing::DoubleNear(1e-12), state.x));
+      EXPECT_THAT(found.y, testing::Pointwise(testing::DoubleNear(1e-11), state.y));
+    }
+  }
+}
+
 constexpr auto two_welded = R"(
 name = "pair"
 connection = [0, 1]

@@ -46,6 +46,31 @@ TEST_F(Generate, standard_output_takes_the_header_and_nothing_else) {
   refuses({"generate", model("free_body"), "-o", "-", "--abi"}, "allowed with --abi: a folder", there);
 }
 
+TEST_F(Generate, taylor_series_stand_beside_the_header_and_use_its_names) {
+  EXPECT_EQ(kanec({"generate", model("t_handle"), "-o", "new/", "--taylor"}).status, 0);
+  EXPECT_EQ(names(work() / "new"), (Names{"t_handle.hpp", "t_handle_taylor.hpp"}));
+  EXPECT_THAT(read_file(work() / "new" / "t_handle.hpp"), HasSubstr("void kinematics_and_accelerations("));
+  write_file(work() / "new" / "main.cpp", R"(
+#include "t_handle_taylor.hpp"
+int main() {
+  namespace model = kanec::t_handle;
+  static model::Taylor<double, 20> series;
+  double z[21 * model::Taylor<double, 20>::size] = {0, 0, 0, 1};  // x, y; then coefficients 1 ... 20
+  z[model::nx] = 2;  // about a principal axis: omega stays, eps_1 = sin t
+  series.coefficients(model::prepare(model::Parameters<double>{}), 0.0, 20, z);
+  const double* third = z + 3 * model::Taylor<double, 20>::size;
+  return third[0] + 1.0 / 6 < 1e-15 && third[0] + 1.0 / 6 > -1e-15 ? 0 : 1;
+}
+)");
+  const std::string program = (work() / "new" / "a.out").string();
+  EXPECT_EQ(run_process({compiler(), "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow",
+                         "-Werror", (work() / "new" / "main.cpp").string(), "-o", program})
+                .status,
+            0);
+  EXPECT_EQ(run_process({program}).status, 0);
+  refuses({"generate", model("t_handle"), "-o", "a.hpp", "--taylor"}, "allowed with --taylor: a folder", {"new"});
+}
+
 TEST_F(Generate, code_is_made_for_what_is_asked) {
   const std::string scene = model("bench_cr32");
   EXPECT_EQ(kanec({"generate", scene, "--functions", "residual", "--optimize", "size", "-o", "size.hpp"}).status, 0);

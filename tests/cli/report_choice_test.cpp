@@ -15,11 +15,22 @@ namespace {
 using testing::HasSubstr;
 
 IntegrationRun run(integrate::Method method, double tolerance, double seconds, double error) {
-  IntegrationRun run;
-  run.options.method = method;
-  run.options.relative_tolerance = run.options.absolute_tolerance = tolerance;
+  integrate::Options options;
+  options.method = method;
+  options.relative_tolerance = options.absolute_tolerance = tolerance;
+  IntegrationRun run = run_with(options);
   run.wall_seconds = seconds;
-  run.worst_error = error;
+  run.worst_error = run.end_error = error;
+  return run;
+}
+
+// Of another engine.
+IntegrationRun foreign(double seconds, double error) {
+  IntegrationRun run;
+  run.method = "Engine 1.0, Euler";
+  run.setting = "h 0.1 s";
+  run.wall_seconds = seconds;
+  run.worst_error = run.end_error = error;
   return run;
 }
 
@@ -66,6 +77,17 @@ TEST(Choice, is_told_with_the_command_to_type_or_with_the_cause) {
             "--duration 10 --output-step 0.01 --integrator cvode --rtol 1e-09 --atol 1e-09");
   EXPECT_THAT(recommendation(scene, 5e-12), HasSubstr("none of these; the most accurate is cvode, rtol 1e-12"));
   EXPECT_THAT(recommendation(scene, 1e-13), HasSubstr("the reference is known to 1.0e-12"));
+}
+
+TEST(Choice, is_never_another_engine_but_stands_beside_it) {
+  SceneRuns scene = some_runs();
+  EXPECT_THAT(integration_text(scene, {}), testing::Not(HasSubstr("times as long")));
+  scene.runs.push_back(foreign(1e-6, 1e-9));
+  EXPECT_EQ(fastest_within(scene, 1e-6), &scene.runs[2]);
+  EXPECT_EQ(comparison(scene, 1e-6),
+            "for an error of 1e-06 at the end: cvode, rtol 1e-09, 2 ms (1.0e-09); Engine 1.0, Euler, h 0.1 s, 1 µs "
+            "(1.0e-09): 0.0005 times as long");
+  EXPECT_EQ(comparison(scene, 1e-10), "for an error of 1e-10 at the end: no run of another engine");
 }
 
 TEST(IntegrationText, shows_failures_with_their_cause) {

@@ -53,6 +53,24 @@ TEST_F(Report, finds_every_way_some_ulps_from_fifty_digits_and_from_the_generic_
     }
 }
 
+// Lanes round as one state at a time does, in another order of operations where the compiler fuses; float is 2^29
+// coarser.
+TEST_F(Report, has_lanes_and_float_beside_what_is_emitted_in_a_picture) {
+  const json scene = json_of({"report", model("pendulum"), "--functions", "accelerations", "--json", "--states", "4",
+                              "--plot", "a.svg"})
+                         .at("scenes")
+                         .at(0);
+  std::vector<std::string> names;
+  for (const json& variant : scene.at("variants")) {
+    names.push_back(variant.at("variant"));
+    EXPECT_EQ(variant.at("scalar"), names.back() == "float_lanes" ? "float" : "double");
+    EXPECT_LT(variant.at("from_generic").at("largest_ulps"), 100) << variant;
+    EXPECT_GT(variant.at("nanoseconds"), 0);
+  }
+  for (const char* name : {"emitted", "lanes", "float_lanes", "generic"}) EXPECT_THAT(names, testing::Contains(name));
+  EXPECT_THAT(read_file(work() / "a.svg"), HasSubstr("pendulum: time against rounding error"));
+}
+
 TEST_F(Report, finds_the_errors_that_check_finds) {
   const json checked = json_of({"check", model("free_body"), "--functions", "energy", "--json"}).at("functions").at(0);
   const json reported = json_of({"report", model("free_body"), "--functions", "energy", "--json"})

@@ -65,7 +65,7 @@ TEST_F(Simulate, without_gravity_and_loads_momenta_are_kept) {
 
 TEST_F(Simulate, all_integrators_come_to_the_same_end) {
   const std::vector<double> expected = flat(json_of(run("free_body", {"--json"})).at("final"));
-  for (const std::string integrator : {"rk4", "lie4", "cvode", "cvode_bdf", "arkode_dirk", "ida"}) {
+  for (const std::string integrator : {"rk4", "lie4", "cvode", "cvode_bdf", "arkode_dirk", "ida", "taylor", "taylor_extended"}) {
     SCOPED_TRACE(integrator);
     const json summary = json_of(run("free_body", {"--json", "--integrator", integrator}));
     EXPECT_EQ(summary.at("integrator"), integrator);

@@ -12,7 +12,7 @@ namespace kanec::test {
 std::vector<std::string> shipped_models() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(KANEC_SOURCE_DIR "/models"))
-    if (entry.is_directory()) names.push_back(entry.path().filename().string());
+    if (std::filesystem::exists(entry.path() / "scene.toml")) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -8,10 +8,10 @@
 #include "generator/emit/taylor.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/program/combined.hpp"
-#include "runtime/compile/compile.hpp"
 #include "tests/emit/every_node.hpp"
 #include "tests/lower/sample.hpp"
 #include "tests/support/power_series.hpp"
+#include "tests/taylor/compiled.hpp"
 
 namespace kanec::test {
 namespace {
@@ -19,23 +19,6 @@ namespace {
 constexpr int order = 12;
 using Number = PowerSeries<long double, order>;
 using Coefficients = std::vector<std::vector<long double>>;  // k, entry of z
-
-compile::Model compiled(const Generated& generated, const scene::Scene& scene) {
-  compile::Options options;
-  options.flags = {"-O0", "-fno-math-errno", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"};
-  options.flags_given = true;
-  options.cache = std::string(KANEC_BINARY_DIR) + "/tests/taylor_cache";
-  return compile::build({generated.name,
-                         generated.hash,
-                         n_coordinates(scene),
-                         n_speeds(scene),
-                         {{generated.name + ".hpp", generated.header},
-                          {generated.name + "_taylor.hpp", generated.taylor},
-                          {"main.cpp", generated.abi}},
-                         "main.cpp",
-                         {"-DKANEC_TAYLOR"}},
-                        options);
-}
 
 // Each pass finds one coefficient more.
 Coefficients expected(const program::Program& program, const Sample& sample) {
@@ -108,13 +91,6 @@ void expect_series(const Generated& generated, const Sample& sample, double digi
   const Coefficients right = expected(generated.program, sample);
   expect_near(found<double>(abi.taylor[0], abi, sample, right), right, digits * 2e-16);
   expect_near(found<long double>(abi.taylor[1], abi, sample, right), right, digits * 1e-19);
-}
-
-std::vector<std::string> all_rates(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  for (const Available& function : available_functions(scene))
-    if (function.name == "power") return {rates + "+power"};
-  return {rates};
 }
 
 class RandomTrees : public testing::TestWithParam<int> {};

@@ -1,4 +1,4 @@
-/* What kanec bench and the adapters of other engines (tests/bench/peers) agree on: a model and its states in relative
+/* What kanec bench, kanec report and the adapters of other engines (tests/bench/peers) agree on: a model and its states in relative
    coordinates, in plain C. Not for embedders. SPDX-License-Identifier: BSD-3-Clause */
 #ifndef KANEC_PEER_ABI_H
 #define KANEC_PEER_ABI_H
@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-#define KANEC_PEER_ABI_VERSION 1u
+#define KANEC_PEER_ABI_VERSION 2u
 
 /* Body K, numbered from 1, whose joint moves it relative to L(K): first along its slides, then a ball or its turns in
    order. Matrices are row-major, SI units. */
@@ -35,6 +35,29 @@ typedef struct kanec_peer_model {
   double gravity[3];             /* inertial axes */
 } kanec_peer_model;
 
+/* A way in which the engine integrates a motion: with equal steps, or with an accuracy that it takes as it understands
+   it. */
+typedef struct kanec_peer_integrator {
+  const char* name; /* "RungeKuttaMerson" */
+  int32_t has_fixed_step;
+} kanec_peer_integrator;
+
+/* One motion from the state of a slot at t = 0, under gravity alone. */
+typedef struct kanec_peer_run {
+  int32_t integrator, slot;
+  double fineness; /* the longest step [s], or the accuracy */
+  double limit;    /* of wall time, after which the run is given up [s] */
+  int32_t n_times;
+  const double* times; /* (n_times), rising, above 0 [s]; none of these states is interpolated */
+} kanec_peer_run;
+
+typedef struct kanec_peer_motion {
+  double *q, *u;   /* (n_times * n_q), (n_times * n_u) */
+  double seconds;  /* wall time of the integration alone */
+  int64_t steps, evaluations;
+  int32_t is_late; /* given up at the limit */
+} kanec_peer_motion;
+
 typedef struct kanec_peer {
   uint32_t abi_version; /* KANEC_PEER_ABI_VERSION */
   uint32_t struct_size; /* sizeof(kanec_peer) */
@@ -49,6 +72,12 @@ typedef struct kanec_peer {
   void (*accelerate)(void* simulation, int32_t slot);
   /* The rates of u that the last accelerate() gave (n_u); not timed. */
   void (*result)(void* simulation, double* u_rate);
+  /* How it integrates; none where there is nothing but accelerate(). */
+  int32_t n_integrators;
+  const kanec_peer_integrator* integrators;
+  /* 0, or 1 and the cause in message; q and u are filled as far as the run came. */
+  int32_t (*integrate)(void* simulation, const kanec_peer_run* run, kanec_peer_motion* motion, char* message,
+                       size_t message_size);
 } kanec_peer;
 
 /* The one symbol that an adapter exports. */

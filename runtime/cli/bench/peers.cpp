@@ -61,6 +61,7 @@ std::vector<Peer> peers_beside_program() {
 
 PeerSimulation::PeerSimulation(const Peer& peer, const RelativeModel& model, const std::vector<RelativeState>& states)
     : functions_(&peer.functions()),
+      n_q_(static_cast<std::size_t>(model.n_q)),
       n_u_(static_cast<std::size_t>(model.n_u)),
       simulation_(created(*functions_, model.view(), states.size())) {
   for (std::size_t i = 0; i < states.size(); ++i)
@@ -73,6 +74,23 @@ std::vector<double> PeerSimulation::result(std::size_t state) {
   accelerate(state);
   functions_->result(simulation_.get(), rates.data());
   return rates;
+}
+
+PeerMotion PeerSimulation::integrate(std::size_t state, int integrator, double fineness, std::span<const double> times,
+                                     double limit) {
+  std::vector<double> q(n_q_ * times.size()), u(n_u_ * times.size());
+  const kanec_peer_run run = {integrator, static_cast<int32_t>(state),        fineness,
+                              limit,      static_cast<int32_t>(times.size()), times.data()};
+  kanec_peer_motion motion = {q.data(), u.data(), 0.0, 0, 0, 0};
+  std::array<char, 500> message{};
+  if (functions_->integrate(simulation_.get(), &run, &motion, message.data(), message.size()) != 0)
+    throw IntegrationError(message.data());
+  PeerMotion result{{}, motion.seconds, motion.steps, motion.evaluations, motion.is_late != 0};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double *at_q = q.data() + i * n_q_, *at_u = u.data() + i * n_u_;
+    result.states.push_back({{at_q, at_q + n_q_}, {at_u, at_u + n_u_}, {}});
+  }
+  return result;
 }
 
 }  // namespace kanec::cli

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ class Peer {
 // out.
 std::vector<Peer> peers_beside_program();
 
+// A motion as an engine integrated it.
+struct PeerMotion {
+  std::vector<RelativeState> states;  // at the times asked for, without forces
+  double seconds = 0.0;               // wall time of the integration alone
+  std::int64_t steps = 0, evaluations = 0;
+  bool is_late = false;  // given up at the limit, with the states up to there
+};
+
 // A model in one engine, with some states.
 class PeerSimulation {
  public:
@@ -38,10 +47,13 @@ class PeerSimulation {
   void accelerate(std::size_t state) { functions_->accelerate(simulation_.get(), static_cast<int32_t>(state)); }
   // The rates of u in a state.
   std::vector<double> result(std::size_t state);
+  // From a state at t = 0 with the integrator of that number, under gravity alone; `fineness`: the longest step [s], or
+  // the accuracy. Throws IntegrationError.
+  PeerMotion integrate(std::size_t state, int integrator, double fineness, std::span<const double> times, double limit);
 
  private:
   const kanec_peer* functions_;
-  std::size_t n_u_;
+  std::size_t n_q_, n_u_;
   std::unique_ptr<void, void (*)(void*)> simulation_;
 };
 

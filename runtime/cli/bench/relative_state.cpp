@@ -34,6 +34,12 @@ Turning turned(const Turning& turning, const Matrix3d& zero) {
   return {turning.Q * Quaterniond(zero), zero.transpose() * turning.omega, zero.transpose() * turning.omega_rate};
 }
 
+// What a ball turns on `lower`: its relative attitude and angular velocity made absolute.
+Turning carried(const Turning& lower, const double* eps, const double* omega) {
+  const Quaterniond relative(Eigen::Map<const Eigen::Vector4d>{eps});
+  return {lower.Q * relative, vector(omega) + relative.inverse() * lower.omega, Vector3d::Zero()};
+}
+
 scene::Scene without_loads(scene::Scene scene) {
   scene.loads.clear();
   for (scene::Body& body : scene.bodies) body.force = body.moment = {};
@@ -111,6 +117,36 @@ RelativeState RelativeStates::of(const State& state) const {
   const Motion found = motion(state);
   const Eigen::VectorXd force = T.transpose().partialPivLu().solve(Q);
   return {found.q, found.u, {force.begin(), force.end()}};
+}
+
+State RelativeStates::scene_state(const RelativeState& relative, const State& like) const {
+  State state = like;
+  std::vector<Turning> bodies = {{}};
+  std::size_t q = 0, u = 0;
+  const auto copy = [&](int x, int y) {
+    state.x[static_cast<std::size_t>(x)] = relative.q[q++];
+    state.y[static_cast<std::size_t>(y)] = relative.u[u++];
+  };
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const kanec_peer_body& body = model_.bodies[i];
+    const scene::BodyLayout& at = layout_.bodies[static_cast<std::size_t>(model_.of[i])];
+    Turning turning = bodies[static_cast<std::size_t>(body.lower)];
+    for (std::size_t j = 0; j < at.s.size(); ++j) copy(at.s[j], at.sdot[j]);
+    if (body.is_ball) {
+      turning = carried(turning, &relative.q[q], &relative.u[u]);
+      Eigen::Map<Eigen::Vector4d>(&state.x[static_cast<std::size_t>(at.eps)]) = turning.Q.coeffs();
+      Eigen::Map<Vector3d>(&state.y[static_cast<std::size_t>(at.omega)]) = turning.omega;
+      q += 4, u += 3;
+    } else {
+      for (std::size_t j = 0; j < at.theta.size(); ++j) {
+        copy(at.theta[j], at.thetadot[j]);
+        turning = turned(turning, vector(body.turns + 3 * j), relative.q[q - 1], relative.u[u - 1], 0.0);
+      }
+      turning = turned(turning, Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(body.zero));
+    }
+    bodies.push_back(turning);
+  }
+  return state;
 }
 
 std::vector<double> RelativeStates::rates(const State& state) const { return motion(state).u_rate; }

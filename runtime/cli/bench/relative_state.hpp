@@ -18,6 +18,8 @@ class RelativeStates {
 
   // Of everything that acts in the state but gravity, also of springs and dampers.
   RelativeState of(const State& state) const;
+  // The coordinates and speeds x and y of q and u, the inverse of that; the rest as `like` has it.
+  State scene_state(const RelativeState& relative, const State& like) const;
   // The rates of u where those of y are the state's ydot.
   std::vector<double> rates(const State& state) const;
 

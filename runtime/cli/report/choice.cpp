@@ -6,17 +6,18 @@
 #include <algorithm>
 
 #include "runtime/base/text.hpp"
-#include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/report/methods.hpp"
 #include "runtime/cli/svg.hpp"
 
 namespace kanec::cli {
 namespace {
 
 std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
-  const integrate::Options& options = run.options;
+  const integrate::Options& options = *run.options;
   const std::string common =
       fmt::format("kanec simulate {} --duration {} --output-step {} --integrator {}", scene.path,
-                  shortest(options.duration), shortest(options.output_step), name_of(options.method));
+                  shortest(options.duration), shortest(options.output_step), name_of(options.method)) +
+      (is_by_differences(options) ? " --jacobian differences" : "");
   if (has_fixed_step(options.method)) return common + " --step " + shortest(options.step);
   return common + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
 }
@@ -24,11 +25,15 @@ std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
 const IntegrationRun* most_accurate(const std::vector<IntegrationRun>& runs) {
   const IntegrationRun* best = nullptr;
   for (const IntegrationRun& run : runs)
-    if (run.ok() && (!best || run.worst_error < best->worst_error)) best = &run;
+    if (run.ok() && run.options && (!best || run.worst_error < best->worst_error)) best = &run;
   return best;
 }
 
 }  // namespace
+
+std::string title_of(const IntegrationRun& run) {
+  return run.setting.empty() ? run.method : run.method + ", " + run.setting;
+}
 
 void mark_front(std::vector<IntegrationRun>& runs, double least) {
   const auto known = [least](const IntegrationRun& run) { return std::max(run.worst_error, least); };
@@ -44,8 +49,28 @@ void mark_front(std::vector<IntegrationRun>& runs, double least) {
 const IntegrationRun* fastest_within(const SceneRuns& scene, double error) {
   const IntegrationRun* best = nullptr;
   for (const IntegrationRun& run : scene.runs)
-    if (run.ok() && run.worst_error <= error && (!best || run.wall_seconds < best->wall_seconds)) best = &run;
+    if (run.ok() && run.options && run.worst_error <= error && (!best || run.wall_seconds < best->wall_seconds))
+      best = &run;
   return best;
+}
+
+std::string comparison(const SceneRuns& scene, double error) {
+  const auto fastest = [&](bool own) {
+    const IntegrationRun* best = nullptr;
+    for (const IntegrationRun& run : scene.runs)
+      if (run.ok() && run.options.has_value() == own && run.end_error <= error &&
+          (!best || run.wall_seconds < best->wall_seconds))
+        best = &run;
+    return best;
+  };
+  const auto text = [](const IntegrationRun& run) {
+    return fmt::format("{}, {} ({:.1e})", title_of(run), duration_text(run.wall_seconds), run.end_error);
+  };
+  const IntegrationRun *ours = fastest(true), *theirs = fastest(false);
+  const std::string wanted = fmt::format("for an error of {:.2g} at the end: ", error);
+  if (!ours || !theirs) return wanted + (theirs ? "no run of kanec" : "no run of another engine");
+  return wanted + fmt::format("{}; {}: {:.3g} times as long", text(*ours), text(*theirs),
+                              theirs->wall_seconds / ours->wall_seconds);
 }
 
 std::string recommendation(const SceneRuns& scene, double error) {
@@ -53,12 +78,12 @@ std::string recommendation(const SceneRuns& scene, double error) {
   if (error < scene.reference_error)
     return wanted + fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
   if (const IntegrationRun* run = fastest_within(scene, error))
-    return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", method_text(run->options),
-                                duration_text(run->wall_seconds), run->worst_error, command_of(scene, *run));
+    return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", title_of(*run), duration_text(run->wall_seconds),
+                                run->worst_error, command_of(scene, *run));
   const IntegrationRun* best = most_accurate(scene.runs);
   if (!best) return wanted + "no run got to the end";
-  return wanted + fmt::format("none of these; the most accurate is {}, with {:.1e}", method_text(best->options),
-                              best->worst_error);
+  return wanted +
+         fmt::format("none of these; the most accurate is {}, with {:.1e}", title_of(*best), best->worst_error);
 }
 
 }  // namespace kanec::cli

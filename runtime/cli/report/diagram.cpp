@@ -108,6 +108,7 @@ class Drawing {
 
   // From the fastest to the most accurate.
   std::string front() const {
+    if (!diagram_.has_common_front) return "";
     std::vector<DiagramPoint> points;
     for (const DiagramLine& line : diagram_.lines)
       for (const DiagramPoint& point : line.points)
@@ -120,9 +121,12 @@ class Drawing {
     std::vector<DiagramPoint> points;
     for (const DiagramPoint& point : diagram_.lines[index].points)
       if (is_drawn(point)) points.push_back(point);
-    std::string text = polyline(fmt::format("stroke=\"{}\"", colour(index)), points);
-    for (const DiagramPoint& point : points)
+    const std::string look = fmt::format("stroke=\"{}\"", colour(index));
+    std::string text = diagram_.lines[index].is_joined ? polyline(look, points) : "";
+    for (const DiagramPoint& point : points) {
       text += marker(index, x_.at(point.x), y_.at(point.y), point.is_on_front, point.title);
+      if (!point.label.empty()) text += svg_label(x_.at(point.x) + 8, y_.at(point.y) + 4, "note", point.label);
+    }
     return text;
   }
 
@@ -160,6 +164,9 @@ class Drawing {
     std::string text;
     for (std::size_t i = 0; i < diagram_.lines.size(); ++i, y += row)
       text += marker(i, x, y, true, "") + svg_label(x + 14, y + 4, "name", diagram_.lines[i].name);
+    if (!diagram_.has_common_front)
+      return text + svg_label(x - 4, y + 4, "name", "full: no other way to the same") +
+             svg_label(x - 4, y + 20, "name", "is as fast and as accurate");
     text += fmt::format("<polyline class=\"front\" points=\"{0:.1f},{2:.1f} {1:.1f},{2:.1f}\"/>\n", x - 4, x + 4, y);
     return text + svg_label(x + 14, y + 4, "name", "Pareto front: no other is as fast") +
            svg_label(x + 14, y + 20, "name", "and as accurate; full markers");

@@ -13,12 +13,14 @@ struct DiagramPoint {
   double x = 0.0, y = 0.0;  // positive and finite; others are not drawn
   std::string title;        // shown where the pointer rests
   bool is_on_front = false;
+  std::string label = {};  // beside it; empty: none
 };
 
 // One colour, one marker, one entry of the legend.
 struct DiagramLine {
   std::string name;
   std::vector<DiagramPoint> points;
+  bool is_joined = true;
 };
 
 struct DiagramAxis {
@@ -31,8 +33,9 @@ struct Diagram {
   std::vector<std::string> notes;  // lines below it
   DiagramAxis x, y;
   std::vector<DiagramLine> lines;
-  double unknown_below = 0.0;  // x that are not told apart, as a shaded strip; 0: none
-  std::string unknown_text;    // what that strip is
+  double unknown_below = 0.0;    // x that are not told apart, as a shaded strip; 0: none
+  std::string unknown_text;      // what that strip is
+  bool has_common_front = true;  // of all lines, drawn as one; else of each line, its points' full markers
 };
 
 std::string diagram_svg(const Diagram& diagram);

@@ -13,19 +13,18 @@
 #include "generator/candidates.hpp"
 #include "generator/program/evaluate.hpp"
 #include "generator/rounding.hpp"
-#include "runtime/base/error.hpp"
 #include "runtime/base/median.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/cli/report/generic_result.hpp"
+#include "runtime/cli/report/ulp_errors.hpp"
 #include "runtime/cli/report/ways.hpp"
 #include "runtime/cli/samples.hpp"
-#include "runtime/cli/tangent.hpp"
 #include "runtime/cli/ulps.hpp"
 
 namespace kanec::cli {
 namespace {
 
-constexpr int digits_of_double = 53, digits_of_float = 24;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Real>
@@ -38,78 +37,26 @@ program::Arguments<Real> arguments(const State& state) {
   return {as(state.parameters), as(state.x), as(state.y), as(state.ydot), as(state.inputs), static_cast<Real>(state.t)};
 }
 
-// The same numbers as float has them.
-State in_float(State state) {
-  for (auto* values : {&state.parameters, &state.x, &state.y, &state.ydot, &state.inputs})
-    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
-  state.t = static_cast<double>(static_cast<float>(state.t));
-  return state;
-}
-
-// Errors in one state and what they are measured by; an error is infinite where a result is not finite.
-struct Error {
-  double error = infinity, size = 0.0;
-};
-
-// The random states first.
-class Errors {
- public:
-  explicit Errors(std::size_t n_random) : n_random_(n_random) {}
-
-  void add(std::optional<Error> error) { list_.push_back(error); }
-
-  UlpErrors summary(int digits) const {
-    std::vector<double> sizes, ulps;
-    for (std::size_t i = 0; i < n_random_; ++i)
-      if (list_[i] && list_[i]->size > 0.0) sizes.push_back(list_[i]->size);
-    const double usual = sizes.empty() ? 0.0 : median(sizes);
-    UlpErrors result;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-      if (!list_[i]) continue;
-      const double error = in_ulps(list_[i]->error, std::max(list_[i]->size, usual), digits);
-      if (i < n_random_) ulps.push_back(error);
-      double& worst = i < n_random_ ? result.largest : result.hard;
-      worst = std::max(worst, error);
-    }
-    if (!ulps.empty()) result.median = median(ulps);
-    return result;
-  }
-
- private:
-  std::size_t n_random_;
-  std::vector<std::optional<Error>> list_;  // nothing where the result is undefined
-};
-
-template <class Real>
-double distance(const std::vector<Real>& a, const std::vector<long double>& b) {
+// Of results in 50 digits.
+double distance(const std::vector<Precise>& a, const std::vector<Precise>& b) {
   double error = 0.0;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const double one = static_cast<double>(std::fabs(static_cast<long double>(a[i]) - b[i]));
-    if (!std::isfinite(one)) return infinity;
-    error = std::max(error, one);
-  }
+  for (std::size_t i = 0; i < b.size(); ++i) error = std::max(error, (a[i] - b[i]).magnitude().rounded());
   return error;
-}
-
-double size_of(const std::vector<long double>& values) {
-  long double size = 0.0L;
-  for (const long double value : values) size = std::max(size, std::fabs(value));
-  return static_cast<double>(size);
 }
 
 // A state with what the generic path has there; nothing where it has no result.
 struct Place {
   State state;
-  std::optional<std::vector<long double>> generic;
+  std::optional<std::vector<Precise>> generic;
 };
 
 class Measuring {
  public:
   Measuring(const scene::Scene& scene, const EvaluationOptions& options, const std::function<void(double)>& progress)
-      : scene_(scene), progress_(progress), random_(samples(scene, options.states, options.seed)) {
+      : scene_(scene), options_(options), progress_(progress), random_(samples(scene, options.states, options.seed)) {
     states_ = random_;
     for (State& state : hard_states(scene, random_)) states_.push_back(std::move(state));
-    const std::vector<std::string> names = functions_of(options);
+    const std::vector<std::string> names = evaluated_functions(scene, options);
     const std::vector<Chosen> chosen = choose_ways(scene, names);
     for (std::size_t i = 0; i < names.size(); ++i)
       work_.push_back({names[i], ways_beside(scene, names[i], chosen[i].way)});
@@ -123,17 +70,15 @@ class Measuring {
     result.speeds = n_speeds(scene_);
     add_condition(result);
     for (const auto& [name, ways] : work_) result.functions.push_back(of(name, ways));
+    if (options_.is_timed) result.variants = variants();
     return result;
   }
 
  private:
-  std::vector<std::string> functions_of(const EvaluationOptions& options) const {
-    if (!options.functions.empty()) return options.functions;
-    std::vector<std::string> names;
-    const std::vector<std::string> asked = requested_functions(scene_, {});
-    for (const char* name : {"accelerations", "residual", "forcing", "mass_matrix"})
-      if (std::find(asked.begin(), asked.end(), name) != asked.end()) names.push_back(name);
-    return names.empty() ? asked : names;
+  std::vector<VariantErrors> variants() const {
+    VariantOptions options{{}, random_, hard_states(scene_, random_), options_.build};
+    for (const auto& [name, ways] : work_) options.functions.push_back(name);
+    return variant_errors(scene_, options);
   }
 
   // Of A with rows and columns scaled to a unit diagonal, so that units have no part in it.
@@ -157,14 +102,14 @@ class Measuring {
   FunctionErrors of(const std::string& name, const std::vector<NamedWay>& ways) {
     const std::vector<std::string> parts = parts_of(name);
     std::vector<Place> places;
-    Errors generic(random_.size());
+    StateErrors generic(random_.size());
     for (const State& state : states_) {
-      places.push_back({state, expected<long double>(parts, state)});
-      const auto in_double = expected<double>(parts, state);
-      if (!places.back().generic || !in_double)
-        generic.add(std::nullopt);
-      else
-        generic.add(Error{distance(*in_double, *places.back().generic), size_of(*places.back().generic)});
+      places.push_back({state, generic_result<Precise>(scene_, parts, state)});
+      const std::optional<std::vector<Precise>>& exact = places.back().generic;
+      const auto in_double = generic_result<double>(scene_, parts, state);
+      const bool has_both = exact && in_double;
+      generic.add(has_both ? std::optional(StateError{difference(*in_double, *exact), largest(*exact)}) : std::nullopt);
+      progress_(done_ / total_);
     }
     FunctionErrors result{name, generic.summary(digits_of_double), {}};
     for (const NamedWay& way : ways) {
@@ -183,35 +128,22 @@ class Measuring {
     return a.cost == b.cost && errors(a) == errors(b);
   }
 
-  // The generic result, as far as it is comparable.
-  template <class Real>
-  std::optional<std::vector<Real>> expected(const std::vector<std::string>& parts, const State& state) const {
-    try {
-      const std::vector<Real> values = generic_path<Real>(scene_, parts, state);
-      if (!std::all_of(values.begin(), values.end(), [](Real value) { return std::isfinite(value); })) return {};
-      return comparable(scene_, parts, state.x, values);
-    } catch (const InputError&) {
-      return {};
-    }
-  }
-
   WayErrors of(const std::string& name, const std::vector<std::string>& parts, const NamedWay& way,
                const std::vector<Place>& places) const {
     const program::Program program = program_in(scene_, name, way);
     const program::Function& function = program.functions.front();
-    Errors in_double(random_.size()), single(random_.size()), from_generic(random_.size());
+    StateErrors in_double(random_.size()), single(random_.size()), from_generic(random_.size());
     std::vector<double> expectations;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const State& state = places[i].state;
       if (!places[i].generic) {
-        for (Errors* errors : {&in_double, &single, &from_generic}) errors->add(std::nullopt);
+        for (StateErrors* errors : {&in_double, &single, &from_generic}) errors->add(std::nullopt);
         continue;
       }
       const std::vector<double> found = program::evaluate(program, function, arguments<double>(state));
       const std::vector<Precise> exact = precise(program, function.name, state);
-      in_double.add(Error{difference(found, exact), largest(exact)});
-      const std::vector<long double> wide(found.begin(), found.end());
-      from_generic.add(Error{distance(comparable(scene_, parts, state.x, wide), *places[i].generic), largest(exact)});
+      in_double.add(StateError{difference(found, exact), largest(exact)});
+      from_generic.add(error_from_generic(parts, places[i], found));
       single.add(error_in_float(program, function, state));
       if (i < random_.size())
         expectations.push_back(expected_rounding(program, function, arguments<double>(state), most_outputs).ulps());
@@ -225,7 +157,17 @@ class Measuring {
             expectations.empty() ? 0.0 : median(expectations)};
   }
 
-  static Error error_in_float(const program::Program& program, const program::Function& function, const State& state) {
+  StateError error_from_generic(const std::vector<std::string>& parts, const Place& place,
+                                const std::vector<double>& found) const {
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    const double size = largest(*place.generic);
+    if (!std::all_of(found.begin(), found.end(), is_finite)) return {infinity, size};
+    const std::vector<Precise> wide(found.begin(), found.end());
+    return {distance(comparable(scene_, parts, place.state.x, wide), *place.generic), size};
+  }
+
+  static StateError error_in_float(const program::Program& program, const program::Function& function,
+                                   const State& state) {
     const State rounded = in_float(state);
     const std::vector<float> found = program::evaluate(program, function, arguments<float>(rounded));
     const std::vector<Precise> exact = precise(program, function.name, rounded);
@@ -235,6 +177,7 @@ class Measuring {
   static constexpr std::size_t most_outputs = 24;  // whose expected errors are looked at
 
   const scene::Scene& scene_;
+  const EvaluationOptions& options_;
   const std::function<void(double)>& progress_;
   std::vector<State> random_, states_;
   std::vector<std::pair<std::string, std::vector<NamedWay>>> work_;
@@ -272,6 +215,15 @@ std::vector<State> hard_states(const scene::Scene& scene, const std::vector<Stat
     list.insert(list.end(), {fast, aligned, right, far});
   }
   return list;
+}
+
+std::vector<std::string> evaluated_functions(const scene::Scene& scene, const EvaluationOptions& options) {
+  if (!options.functions.empty()) return options.functions;
+  std::vector<std::string> names;
+  const std::vector<std::string> asked = requested_functions(scene, {});
+  for (const char* name : {"accelerations", "residual", "forcing", "mass_matrix"})
+    if (std::find(asked.begin(), asked.end(), name) != asked.end()) names.push_back(name);
+  return names.empty() ? asked : names;
 }
 
 SceneErrors evaluation_errors(const scene::Scene& scene, const EvaluationOptions& options,

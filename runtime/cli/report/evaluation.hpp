@@ -10,15 +10,11 @@
 
 #include "generator/program/ledger.hpp"
 #include "generator/scene/scene.hpp"
+#include "runtime/cli/report/emitted_variants.hpp"
+#include "runtime/cli/report/ulp_errors.hpp"
 #include "runtime/cli/state_file.hpp"
 
 namespace kanec::cli {
-
-// In ulps of the largest component, or of its median over the states where it cancels to less.
-struct UlpErrors {
-  double median = 0.0, largest = 0.0;  // over random states
-  double hard = 0.0;                   // largest over the adversarial ones
-};
 
 // One way of computing a function.
 struct WayErrors {
@@ -26,13 +22,13 @@ struct WayErrors {
   std::string description;  // of the kept one: all that it is
   program::Ledger cost;
   UlpErrors in_double, in_float;  // from the same program in 50 digits
-  UlpErrors from_generic;         // in double from the generic path in long double
+  UlpErrors from_generic;         // in double from the generic path in 50 digits
   double expected = 0.0;          // median over random states of what rounding.hpp expects in double
 };
 
 struct FunctionErrors {
   std::string function;
-  UlpErrors generic;            // of the generic path in double, from that in long double
+  UlpErrors generic;            // of the generic path in double, from that in 50 digits
   std::vector<WayErrors> ways;  // the kept one first
 };
 
@@ -41,16 +37,22 @@ struct SceneErrors {
   int bodies = 0, speeds = 0;
   double condition = 0.0, worst_condition = 0.0;  // of A with unit diagonal: median and largest over random states
   std::vector<FunctionErrors> functions;
+  std::vector<VariantErrors> variants;  // where they are timed
 };
 
 struct EvaluationOptions {
   std::vector<std::string> functions;  // empty: those that decide on a simulation
   int states = 32;
   std::uint64_t seed = 1;
+  bool is_timed = false;  // variants are compiled and timed
+  BuildArguments build;
 };
 
 // States in which angles are large, axes stand along each other, or speeds are high, made of the random ones.
 std::vector<State> hard_states(const scene::Scene& scene, const std::vector<State>& random);
+
+// Those asked for, or the ones that decide on a simulation.
+std::vector<std::string> evaluated_functions(const scene::Scene& scene, const EvaluationOptions& options);
 
 // `progress` is told the share that is done.
 SceneErrors evaluation_errors(const scene::Scene& scene, const EvaluationOptions& options,

@@ -60,6 +60,32 @@ std::vector<TextRow> rows_of(const FunctionErrors& function) {
   return rows;
 }
 
+const TextRow variant_headings = {"function", "compiled", "ns", "ulps: median", "largest", "hard", "of"};
+
+TextRow variant_row(const VariantErrors& variant) {
+  return {variant.function,
+          variant.name,
+          fmt::format("{:.4g}", variant.nanoseconds),
+          shown(variant.ulps.median),
+          shown(variant.ulps.largest),
+          shown(variant.ulps.hard),
+          variant.is_float ? "float" : "double"};
+}
+
+std::vector<TextRow> variant_rows(const SceneErrors& scene) {
+  std::vector<TextRow> rows;
+  for (const VariantErrors& variant : scene.variants) rows.push_back(variant_row(variant));
+  return rows;
+}
+
+std::string variants_text(const SceneErrors& scene) {
+  if (scene.variants.empty()) return "";
+  std::vector<TextRow> rows = variant_rows(scene);
+  rows.insert(rows.begin(), variant_headings);
+  return "\ncompiled: time of one evaluation, errors in ulps from the generic path in 50 digits\n\n" +
+         text_table(rows, "llr");
+}
+
 std::string condition_of(const SceneErrors& scene) {
   return fmt::format("condition of A {:.2g}, at worst {:.2g}", scene.condition, scene.worst_condition);
 }
@@ -72,6 +98,14 @@ std::string markdown_table(const FunctionErrors& function) {
   for (std::size_t i = 2; i < headings.size(); ++i) text += "--:|";
   text += '\n';
   for (const TextRow& row : rows_of(function)) text += markdown_row(without_function(row));
+  return text;
+}
+
+std::string variants_markdown(const SceneErrors& scene) {
+  if (scene.variants.empty()) return "";
+  std::string text = "\nAs compiled, time of one evaluation and errors from the generic path in 50 digits:\n\n" +
+                     markdown_row(variant_headings) + "|---|---|--:|--:|--:|--:|---|\n";
+  for (const TextRow& row : variant_rows(scene)) text += markdown_row(row);
   return text;
 }
 
@@ -106,6 +140,17 @@ Json way_json(const WayErrors& way) {
   return json;
 }
 
+Json variants_json(const SceneErrors& scene) {
+  Json list = Json::array();
+  for (const VariantErrors& variant : scene.variants)
+    list.push_back({{"function", variant.function},
+                    {"variant", variant.name},
+                    {"scalar", variant.is_float ? "float" : "double"},
+                    {"nanoseconds", variant.nanoseconds},
+                    {"from_generic", errors_json(variant.ulps)}});
+  return list;
+}
+
 constexpr auto page_head =
     R"(Each table is one function: first the way in which the generator computes it, then ways that differ from that in one
 thing, operations counted and errors beside them: what regrouping of masses, moved origins, axes, the algorithm and the
@@ -117,7 +162,7 @@ passes cost in digits. How to read the columns:
   all angles zero, all multiples of a right angle, angles of ten thousand radians.
 - *expected*: the median that independent errors of all operations would make, to first order; by this the generator
   chooses, as it is the same on all machines.
-- *from generic*: the largest difference in double from the generic path in long double, which knows nothing of the
+- *from generic*: the largest difference in double from the generic path in 50 digits, which knows nothing of the
   generator, so that no mistake in algebra hides. The last line is that path's own error in double.
 - The condition of A, rows and columns scaled to ones on its diagonal, says what the problem itself does: so many times
   may it enlarge a rounding of A's entries. A way that never forms A can do better.
@@ -134,7 +179,8 @@ std::string evaluation_text(const std::vector<SceneErrors>& scenes) {
     for (const FunctionErrors& function : scene.functions)
       for (TextRow& row : rows_of(function)) rows.push_back(std::move(row));
     text += fmt::format("{}{}: {}; errors in ulps of the largest component\n\n{}", text.empty() ? "" : "\n",
-                        scene.model, condition_of(scene), text_table(rows, "llr"));
+                        scene.model, condition_of(scene), text_table(rows, "llr")) +
+            variants_text(scene);
   }
   return text;
 }
@@ -153,6 +199,7 @@ Json evaluation_json(const std::vector<SceneErrors>& scenes, const EvaluationOpt
                     {"condition", scene.condition},
                     {"worst_condition", scene.worst_condition},
                     {"functions", std::move(functions)}});
+    if (!scene.variants.empty()) list.back()["variants"] = variants_json(scene);
   }
   return {{"states", options.states}, {"seed", options.seed}, {"scenes", std::move(list)}};
 }
@@ -181,6 +228,7 @@ std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const Ev
                         condition_of(scene));
     for (const FunctionErrors& function : scene.functions)
       text += "\n`" + function.function + "`\n\n" + markdown_table(function);
+    text += variants_markdown(scene);
   }
   return text;
 }

@@ -6,10 +6,13 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/cli/conservation.hpp"
-#include "runtime/cli/functions.hpp"
 #include "runtime/cli/report/choice.hpp"
+#include "runtime/cli/report/methods.hpp"
+#include "runtime/cli/report/peer_runs.hpp"
 #include "runtime/cli/report/reference.hpp"
+#include "runtime/cli/report/refinement.hpp"
 #include "runtime/cli/report/trials.hpp"
+#include "runtime/cli/watched_events.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -19,11 +22,11 @@ using integrate::Method;
 using integrate::Options;
 using integrate::Summary;
 
-// Tolerances 1e-4 … 1e-13.
-constexpr int coarsest_decade = 4, finest_decade = 13;
-
-// From about the steps of the coarsest tolerance on.
-constexpr int most_halvings = 14;
+// Where rounding leaves nothing to gain.
+int last_decade(Method method) {
+  if (method == Method::taylor_extended) return 19;
+  return method == Method::taylor ? 17 : finest_decade;
+}
 
 // Changes beside the largest momentum there was, or, where that vanishes, beside what the energies come to.
 double momentum_error(const Summary& summary, const MotionScales& scales) {
@@ -41,12 +44,14 @@ class Sweep {
  public:
   Sweep(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,
         const std::function<void(double)>& progress)
-      : options_(options),
+      : scene_(scene),
+        options_(options),
         progress_(progress),
-        methods_(methods_of(options.integrators.empty() ? integrate::method_names() : options.integrators)),
+        methods_(named_methods(scene, options.integrators)),
         conserved_{is_isolated(scene), has_drives(scene)},
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
+    base_.events = watched_events(scene);
     base_.duration = options.duration.value_or(scene.simulation.duration);
     base_.relative_tolerance = scene.simulation.relative_tolerance;
     base_.absolute_tolerance = scene.simulation.absolute_tolerance;
@@ -58,10 +63,11 @@ class Sweep {
     const double step = usual_step();
     reference_ = reference(trials_, base_, step, reference_share * options_.limit);
     ++done_;
-    for (const Method method : methods_) {
-      has_fixed_step(method) ? with_steps(method, step) : with_tolerances(method);
+    for (const NamedMethod& method : methods_) {
+      has_fixed_step(method.options.method) ? with_steps(method, step) : with_tolerances(method);
       ++done_;
     }
+    add_peers(step);
     SceneRuns result;
     result.duration = base_.duration;
     result.rows = options_.rows;
@@ -81,12 +87,6 @@ class Sweep {
     bool momentum, driven;
   };
 
-  static std::vector<Method> methods_of(const std::vector<std::string>& names) {
-    std::vector<Method> list;
-    for (const std::string& name : names) list.push_back(integrate::method_of(name));
-    return list;
-  }
-
   static void require(double duration) {
     if (!(duration > 0.0) || !std::isfinite(duration))
       throw InputError("duration: found " + std::to_string(duration) + "; allowed: a positive number");
@@ -96,7 +96,7 @@ class Sweep {
 
   // Of rows halved so often that error control with the coarsest tolerance takes steps about twice as long.
   double usual_step() const {
-    const Trial trial = trials_.once(at_tolerance(Method::arkode, coarsest_decade), options_.limit);
+    const Trial trial = trials_.once(at_tolerance({}, coarsest_decade), options_.limit);
     double step = base_.output_step;
     if (!trial.ok()) return step;
     const double mean = base_.duration / static_cast<double>(std::max<std::int64_t>(trial.summary.steps, 1));
@@ -104,46 +104,50 @@ class Sweep {
     return step;
   }
 
-  Options at_tolerance(Method method, int decade) const {
+  Options with(const Options& method) const {
     Options options = base_;
-    options.method = method;
+    options.method = method.method;
+    options.jacobian = method.jacobian;
+    return options;
+  }
+
+  Options at_tolerance(const Options& method, int decade) const {
+    Options options = with(method);
     options.relative_tolerance = std::pow(10.0, -decade);
     options.absolute_tolerance = options.relative_tolerance * (base_.absolute_tolerance / base_.relative_tolerance);
     return options;
   }
 
   // Finer ones would be given up as well once one was.
-  void with_tolerances(Method method) {
-    for (int decade = coarsest_decade; decade <= finest_decade; ++decade) {
-      const Trial trial = trials_.timed(at_tolerance(method, decade), options_.limit);
+  void with_tolerances(const NamedMethod& method) {
+    for (int decade = coarsest_decade; decade <= last_decade(method.options.method); ++decade) {
+      const Trial trial = trials_.timed(at_tolerance(method.options, decade), options_.limit);
       add(trial);
       if (trial.out_of_time) return;
     }
   }
 
-  // Until the reference tells no more, or rounding takes what shorter steps bring.
-  void with_steps(Method method, double step) {
-    constexpr double settled = 1e-8;
-    double best = INFINITY;
-    int without_gain = 0;
+  void with_steps(const NamedMethod& method, double step) {
+    Refinement refinement(reference_.own_error);
     for (int i = 0; i < most_halvings; ++i, step /= 2.0) {
-      Options options = base_;
-      options.method = method;
+      Options options = with(method.options);
       options.step = step;
       const Trial trial = trials_.timed(options, options_.limit);
       add(trial);
-      if (trial.out_of_time) return;
-      if (!trial.ok()) continue;
-      const double error = runs_.back().worst_error;
-      without_gain = error > 0.5 * best && best < settled ? without_gain + 1 : 0;
-      best = std::min(best, error);
-      if (error <= reference_.own_error || without_gain == 2) return;
+      if (trial.out_of_time || (trial.ok() && refinement.is_done(runs_.back().worst_error))) return;
     }
   }
 
+  void add_peers(double step) {
+    if (options_.peers.empty()) return;
+    const auto poll = [this] { progress_(done_ / total()); };
+    const PeerSweep sweep{base_.duration, options_.rows, step, options_.limit};
+    for (IntegrationRun& run : peer_runs(scene_, options_.peers, sweep, reference_, poll))
+      runs_.push_back(std::move(run));
+  }
+
   void add(const Trial& trial) {
-    IntegrationRun run;
-    run.options = trial.options;
+    IntegrationRun run = run_with(trial.options);
     run.failure = trial.failure + (trial.out_of_time ? "; finer ones are left out" : "");
     run.wall_seconds = trial.wall_seconds;
     if (trial.ok()) judge(trial, run);
@@ -155,12 +159,8 @@ class Sweep {
     run.steps = summary.steps;
     run.rejected = summary.failed;
     run.evaluations = summary.evaluations;
-    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
-      run.end = difference(trial.rows[i], reference_.rows[i]);
-      run.worst = worse(run.worst, run.end);
-    }
-    run.end_error = relative(run.end, reference_.scales);
-    run.worst_error = relative(run.worst, reference_.scales);
+    if (has_jacobian(trial.options.method)) run.jacobians = summary.jacobians;
+    measure(run, trial.rows, reference_);
     if (summary.energy && !conserved_.driven) run.energy = summary.energy->worst.relative();
     if (summary.angular_momentum && conserved_.momentum) run.momentum = momentum_error(summary, reference_.scales);
     if (has_attitudes_) run.norm = summary.worst_norm_error_before;
@@ -168,9 +168,10 @@ class Sweep {
 
   static constexpr double reference_share = 5.0;  // of the time of one run
 
+  const scene::Scene& scene_;
   const IntegrationOptions& options_;
   const std::function<void(double)>& progress_;
-  std::vector<Method> methods_;
+  std::vector<NamedMethod> methods_;
   Conserved conserved_;
   bool has_attitudes_;
   double done_ = 0.0;  // methods, and the reference
@@ -182,9 +183,31 @@ class Sweep {
 
 }  // namespace
 
-std::vector<std::string> integration_functions(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  return {Functions(scene).has("power") ? rates + "+power" : rates, "energy", "momentum"};
+IntegrationRun run_with(const Options& options) {
+  IntegrationRun run;
+  run.method = name_of(options);
+  run.setting = setting_text(options);
+  if (has_fixed_step(options.method))
+    run.step = options.step;
+  else
+    run.tolerance = options.relative_tolerance;
+  run.options = options;
+  return run;
+}
+
+void measure(IntegrationRun& run, const std::vector<Bodies>& rows, const Reference& reference) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    run.end = difference(rows[i], reference.rows[i]);
+    run.worst = worse(run.worst, run.end);
+  }
+  run.end_error = relative(run.end, reference.scales);
+  run.worst_error = relative(run.worst, reference.scales);
+}
+
+std::vector<std::string> integration_functions(const scene::Scene& scene, const IntegrationOptions& options) {
+  std::vector<std::string> list = functions_called(scene, named_methods(scene, options.integrators));
+  list.insert(list.end(), {"energy", "momentum"});
+  return list;
 }
 
 SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, const IntegrationOptions& options,

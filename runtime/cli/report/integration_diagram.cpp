@@ -5,9 +5,9 @@
 
 #include "runtime/base/text.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
+#include "runtime/cli/report/choice.hpp"
 #include "runtime/cli/report/diagram.hpp"
 #include "runtime/cli/report/integration_text.hpp"
-#include "runtime/cli/report/reference.hpp"
 #include "runtime/cli/svg.hpp"
 
 namespace kanec::cli {
@@ -15,18 +15,17 @@ namespace {
 
 std::string tick(double value) { return fmt::format("{:.0e}", value); }
 
-std::string title_of(const IntegrationRun& run) {
-  return fmt::format("{}: {}, worst error {:.1e}, {} evaluations", method_text(run.options),
-                     duration_text(run.wall_seconds), run.worst_error, run.evaluations);
+std::string label_of(const IntegrationRun& run) {
+  return fmt::format("{}: {}, worst error {:.1e}, {} evaluations", title_of(run), duration_text(run.wall_seconds),
+                     run.worst_error, run.evaluations);
 }
 
 // A line a method, in the order of the runs.
 std::vector<DiagramLine> lines_of(const SceneRuns& scene) {
   std::vector<DiagramLine> lines;
   for (const IntegrationRun& run : scene.runs) {
-    const std::string name = name_of(run.options.method);
-    if (lines.empty() || lines.back().name != name) lines.push_back({name, {}});
-    if (run.ok()) lines.back().points.push_back({run.worst_error, run.wall_seconds, title_of(run), run.is_on_front});
+    if (lines.empty() || lines.back().name != run.method) lines.push_back({run.method, {}});
+    if (run.ok()) lines.back().points.push_back({run.worst_error, run.wall_seconds, label_of(run), run.is_on_front});
   }
   return lines;
 }

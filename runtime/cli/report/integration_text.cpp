@@ -10,7 +10,6 @@
 #include "runtime/base/text.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/report/choice.hpp"
-#include "runtime/cli/report/reference.hpp"
 #include "runtime/cli/svg.hpp"
 #include "runtime/cli/table.hpp"
 
@@ -18,21 +17,29 @@ namespace kanec::cli {
 namespace {
 
 // In the order of row_of(); the last ones stand there only where a run has them.
-const TextRow headings = {"",         "method",   "setting", "wall", "steps",  "evaluations", "error",  "at the end",
-                          "position", "attitude", "speed",   "spin", "energy", "momentum",    "|eps|-1"};
-const TextRow units = {"", "", "", "", "", "", "", "", "[m]", "[rad]", "[m/s]", "[rad/s]", "", "", ""};
+const TextRow headings = {"",          "method", "setting",    "wall",     "steps",    "evaluations",
+                          "Jacobians", "error",  "at the end", "position", "attitude", "speed",
+                          "spin",      "energy", "momentum",   "|eps|-1"};
+const TextRow units = {"", "", "", "", "", "", "", "", "", "[m]", "[rad]", "[m/s]", "[rad/s]", "", "", ""};
 
 std::string shown(double value) { return fmt::format("{:.1e}", value); }
 
 std::string shown(const std::optional<double>& value) { return value ? shown(*value) : ""; }
 
 TextRow row_of(const IntegrationRun& run) {
-  TextRow row = {run.is_on_front ? "*" : "", name_of(run.options.method), setting_text(run.options),
-                 duration_text(run.wall_seconds)};
-  const TextRow rest = {std::to_string(run.steps), std::to_string(run.evaluations),
-                        shown(run.worst_error),    shown(run.end_error),         shown(run.worst.position),
-                        shown(run.worst.attitude), shown(run.worst.speed),       shown(run.worst.spin),
-                        shown(run.energy),         shown(run.momentum),          shown(run.norm)};
+  TextRow row = {run.is_on_front ? "*" : "", run.method, run.setting, duration_text(run.wall_seconds)};
+  const TextRow rest = {std::to_string(run.steps),
+                        std::to_string(run.evaluations),
+                        run.jacobians ? std::to_string(*run.jacobians) : "",
+                        shown(run.worst_error),
+                        shown(run.end_error),
+                        shown(run.worst.position),
+                        shown(run.worst.attitude),
+                        shown(run.worst.speed),
+                        shown(run.worst.spin),
+                        shown(run.energy),
+                        shown(run.momentum),
+                        shown(run.norm)};
   row.insert(row.end(), rest.begin(), rest.end());
   return row;
 }
@@ -44,6 +51,17 @@ std::string failure_text(const IntegrationRun& run) {
 
 std::vector<double> wanted_errors(std::optional<double> error) {
   return error ? std::vector<double>{*error} : std::vector<double>{1e-3, 1e-6, 1e-9, 1e-12};
+}
+
+// Recommendations, and other engines beside them where there are any.
+std::vector<std::string> advice(const SceneRuns& scene, std::optional<double> error) {
+  std::vector<std::string> lines;
+  for (const double wanted : wanted_errors(error)) lines.push_back(recommendation(scene, wanted));
+  const bool is_alone = std::all_of(scene.runs.begin(), scene.runs.end(),
+                                    [](const IntegrationRun& run) { return run.options || !run.ok(); });
+  for (const double wanted : wanted_errors(error))
+    if (!is_alone) lines.push_back(comparison(scene, wanted));
+  return lines;
 }
 
 constexpr auto kept_text =
@@ -78,13 +96,12 @@ Json error_json(const MotionError& error, double relative) {
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json run_json(const IntegrationRun& run) {
-  Json json = {{"method", name_of(run.options.method)}};
-  if (has_fixed_step(run.options.method)) {
-    json["step"] = run.options.step;
-  } else {
-    json["relative_tolerance"] = run.options.relative_tolerance;
-    json["absolute_tolerance"] = run.options.absolute_tolerance;
-  }
+  Json json = {{"method", run.options ? name_of(run.options->method) : run.method}};
+  if (run.options && has_jacobian(run.options->method)) json["jacobian"] = name_of(run.options->jacobian);
+  if (!run.options) json["other_engine"] = true;
+  if (run.step > 0.0) json["step"] = run.step;
+  if (run.tolerance > 0.0) json["relative_tolerance"] = run.tolerance;
+  if (run.tolerance > 0.0 && run.options) json["absolute_tolerance"] = run.options->absolute_tolerance;
   json["wall_seconds"] = run.wall_seconds;
   if (!run.ok()) {
     json["failure"] = run.failure;
@@ -93,6 +110,7 @@ Json run_json(const IntegrationRun& run) {
   json.update({{"steps", run.steps},
                {"rejected_steps", run.rejected},
                {"evaluations", run.evaluations},
+               {"jacobians", run.jacobians ? Json(*run.jacobians) : Json(nullptr)},
                {"worst", error_json(run.worst, run.worst_error)},
                {"end", error_json(run.end, run.end_error)},
                {"energy", optional_json(run.energy)},
@@ -122,18 +140,17 @@ std::string csv_field(const std::string& text) {
 std::string csv_numbers(const IntegrationRun& run) {
   const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
   const MotionError &e = run.end, &w = run.worst;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run.steps, run.rejected, run.evaluations,
-                     run.worst_error, w.position, w.attitude, w.speed, w.spin, run.end_error, e.position, e.attitude,
-                     e.speed, e.spin, number(run.energy), number(run.momentum), number(run.norm),
-                     run.is_on_front ? 1 : 0);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run.steps, run.rejected, run.evaluations,
+                     run.jacobians ? std::to_string(*run.jacobians) : "", run.worst_error, w.position, w.attitude,
+                     w.speed, w.spin, run.end_error, e.position, e.attitude, e.speed, e.spin, number(run.energy),
+                     number(run.momentum), number(run.norm), run.is_on_front ? 1 : 0);
 }
 
 std::string csv_line(const SceneRuns& scene, const IntegrationRun& run) {
-  const bool fixed = has_fixed_step(run.options.method);
-  return fmt::format("{},{},{},{},{},{},{}\n", csv_field(scene.model), name_of(run.options.method),
-                     fixed ? shortest(run.options.step) : "", fixed ? "" : shortest(run.options.relative_tolerance),
-                     shortest(run.wall_seconds), run.ok() ? csv_numbers(run) : ",,,,,,,,,,,,,,,,",
-                     csv_field(run.failure));
+  const auto positive = [](double value) { return value > 0.0 ? shortest(value) : std::string(); };
+  return fmt::format("{},{},{},{},{},{},{}\n", csv_field(scene.model), csv_field(run.method), positive(run.step),
+                     positive(run.tolerance), shortest(run.wall_seconds),
+                     run.ok() ? csv_numbers(run) : std::string(17, ','), csv_field(run.failure));
 }
 
 std::string markdown_row(const TextRow& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
@@ -165,13 +182,14 @@ std::string markdown_table(const SceneRuns& scene) {
 constexpr auto page_head =
     R"(Each line is one run of the emitted model by one integrator with one tolerance or step, compared with a reference that is
 stated, at {} rows after the start. Wall times are the least of a few runs on one core of this machine: {}. Tolerances:
-1e-4 to 1e-13, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
+1e-4 to 1e-14, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
 runs are left out once one took longer than the limit a run, which stands there as failed.
 
 - *error*: without unit, worst over the rows; *at the end*: the same there. Position, attitude (angle of the error
   rotation), speed and spin are the largest over bodies and rows, in their own units.
 - *energy*: change less work of the loads beside the energies exchanged; *momentum*: change beside its size, where
   nothing acts from outside; *|eps|-1*: largest at the end of a step, before projection.
+- *Jacobians*: evaluations of emitted derivatives; those for differences count as evaluations of the rates.
 - `*` marks the Pareto front: no other run is as fast and as accurate.
 )";
 
@@ -196,9 +214,9 @@ std::string integration_text(const SceneRuns& scene, std::optional<double> error
                   reference_text(scene), scales_text(scene), kept_text, runs_table(scene));
   std::string failures;
   for (const IntegrationRun& run : scene.runs)
-    if (!run.ok()) failures += method_text(run.options) + ": " + failure_text(run) + "\n";
+    if (!run.ok()) failures += title_of(run) + ": " + failure_text(run) + "\n";
   text += (failures.empty() ? "" : "\n") + failures + "\n";
-  for (const double wanted : wanted_errors(error)) text += recommendation(scene, wanted) + "\n";
+  for (const std::string& line : advice(scene, error)) text += line + "\n";
   return text;
 }
 
@@ -221,7 +239,8 @@ Json integration_json(const SceneRuns& scene, std::optional<double> error) {
 
 std::string integration_csv(const std::vector<SceneRuns>& scenes) {
   std::string text =
-      "model,method,step[s],relative_tolerance,wall[s],steps,rejected,evaluations,worst_error,worst_position[m],"
+      "model,method,step[s],relative_tolerance,wall[s],steps,rejected,evaluations,jacobians,worst_error,worst_position["
+      "m],"
       "worst_attitude[rad],worst_speed[m/s],worst_spin[rad/s],end_error,end_position[m],end_attitude[rad],"
       "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
   for (const SceneRuns& scene : scenes)
@@ -239,7 +258,7 @@ std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::opti
     if (!picture.empty())
       text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(picture).filename().string());
     text += markdown_table(scene) + "\n";
-    for (const double wanted : wanted_errors(error)) text += "- " + recommendation(scene, wanted) + "\n";
+    for (const std::string& line : advice(scene, error)) text += "- " + line + "\n";
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "runtime/base/error.hpp"
+#include "runtime/cli/report/methods.hpp"
 #include "runtime/integrate/norm.hpp"
 
 namespace kanec::cli {
@@ -23,8 +24,14 @@ struct Family {
 };
 
 // The best first: each is taken where those before it fail.
-constexpr std::array<Family, 4> families = {
-    {{Method::gauss6, 12}, {Method::arkode, 3}, {Method::cvode, 3}, {Method::cvode_bdf, 3}}};
+constexpr std::array<Family, 5> families = {{{Method::taylor_extended, 3},
+                                             {Method::gauss6, 12},
+                                             {Method::arkode, 3},
+                                             {Method::cvode, 3},
+                                             {Method::cvode_bdf, 3}}};
+
+// Of level 0 with error control; each further one is a tenth.
+double first_tolerance(Method method) { return method == Method::taylor_extended ? 1e-15 : 1e-12; }
 
 // The finest run of a family that still changed less than the one before it.
 struct Limit {
@@ -39,7 +46,7 @@ integrate::Options at_level(const integrate::Options& base, const Family& family
   if (has_fixed_step(family.method)) {
     options.step = step / std::pow(2.0, level + 1);
   } else {
-    options.relative_tolerance = std::pow(10.0, -12 - level);
+    options.relative_tolerance = first_tolerance(family.method) * std::pow(10.0, -level);
     options.absolute_tolerance = options.relative_tolerance * (base.absolute_tolerance / base.relative_tolerance);
   }
   return options;
@@ -82,9 +89,7 @@ std::string setting_text(const integrate::Options& options) {
   return fmt::format("rtol {:.0e}", options.relative_tolerance);
 }
 
-std::string method_text(const integrate::Options& options) {
-  return name_of(options.method) + ", " + setting_text(options);
-}
+std::string method_text(const integrate::Options& options) { return name_of(options) + ", " + setting_text(options); }
 
 Reference reference(const Trials& trials, const integrate::Options& base, double step, double limit) {
   std::optional<Limit> best, check;

@@ -16,9 +16,9 @@ struct Reference {
   std::string description;  // "gauss6, steps of 0.0025 s"
   std::vector<Bodies> rows;
   MotionScales scales;
-  double own_error = 0.0;         // relative, worst over rows: change from the next coarser run of its kind, or rounding
-  std::string coarser;            // that run
-  std::string check;              // another method's best run; empty where none went through
+  double own_error = 0.0;  // relative, worst over rows: change from the next coarser run of its kind, or rounding
+  std::string coarser;     // that run
+  std::string check;       // another method's best run; empty where none went through
   double check_difference = 0.0;  // from that
 };
 

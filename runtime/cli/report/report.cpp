@@ -11,10 +11,12 @@
 #include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/progress.hpp"
+#include "runtime/cli/report/evaluation_diagram.hpp"
 #include "runtime/cli/report/evaluation_text.hpp"
 #include "runtime/cli/report/integration_diagram.hpp"
 #include "runtime/cli/report/integration_text.hpp"
@@ -29,11 +31,15 @@ constexpr auto footer =
   kanec report models/bench_cr7 --evaluation --functions accelerations
   kanec report models/bench_* --evaluation --markdown -o docs/accuracy.md
 
-Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-13, or steps halved
+Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14, or steps halved
 again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
 shows its wall time (the least of a few), steps, evaluations, worst and last error, what it kept of energy and momentum,
-or why it failed. A recommendation names the fastest run for a wanted error, as a command to type. --plot draws wall time
-against error, a line an integrator, the Pareto front marked.
+or why it failed; cvode_bdf stands there with the emitted Jacobian and with differences. A recommendation names the
+fastest run for a wanted error, as a command to type. --plot draws wall time against error, a line an integrator, the
+Pareto front marked.
+
+With --peers other engines that kanec was built beside integrate the same motion, compared in the same way; scenes with
+loads, locked or prescribed coordinates are refused by them.
 
 Evaluation: each function that is named, else accelerations, residual, forcing and mass_matrix, is derived in the way
 that `generate` keeps, and in ways that differ from it in one thing: the other algorithm, other axes, origins as typed,
@@ -41,16 +47,22 @@ masses not regrouped, regrouped within a few links or altogether, no passes. Eac
 seeded random states (those of kanec check) and in hard ones (speeds a thousand times as high, angles zero, at multiples
 of a right angle, and of ten thousand radians), and compared with
   - the same program in 50 digits: what rounding costs, in ulps of the largest component;
-  - the generic numeric path in long double, which shares no code with the generator: no mistake in algebra hides;
+  - the generic numeric path in 50 digits, which shares no code with the generator: no mistake in algebra hides;
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
-chooses by: the error that independent roundings of all operations would make. Nothing is compiled.
+chooses by: the error that independent roundings of all operations would make. With --timed the emitted code is compiled:
+as it is, both algorithms, loops for size, lanes in double and in float, each with the time of one evaluation and its
+error from the generic path in 50 digits; --plot draws that.
 
-Without --integration or --evaluation both are made; with --functions evaluation alone.)";
+Without --integration or --evaluation both are made; with --functions evaluation alone.
+
+Hard cases: scenes with known answers, or of which physics keeps something, at their full length (minutes), with a table
+of what is kept to what; exit status 1 where one is not. --short takes the length of the tests
+  kanec report --hard models/hard --markdown -o docs/hard_cases.md)";
 
 struct Options {
   std::vector<std::string> scenes;
   std::string connection;
-  bool evaluation_alone = false, integration_alone = false;
+  bool evaluation_alone = false, integration_alone = false, with_peers = false, hard = false, brief = false;
   EvaluationOptions evaluation;
   IntegrationOptions integration;
   BuildArguments build;
@@ -59,6 +71,7 @@ struct Options {
 
   bool evaluates() const { return !integration_alone; }
   bool integrates() const { return !evaluation_alone && (integration_alone || evaluation.functions.empty()); }
+  bool draws_evaluation() const { return !plot.empty() && !integrates(); }
 };
 
 // Both parts of one scene, as far as they are made.
@@ -67,8 +80,11 @@ struct Findings {
   std::vector<SceneRuns> runs;
 };
 
-SceneErrors errors_of(const scene::Scene& scene, EvaluationOptions options, const Interrupts& interrupts) {
+SceneErrors errors_of(const scene::Scene& scene, const Options& given, const Interrupts& interrupts) {
+  EvaluationOptions options = given.evaluation;
   options.functions = Functions(scene).chosen(options.functions);
+  options.is_timed = options.is_timed || given.draws_evaluation();
+  options.build = given.build;
   ProgressBar bar(scene.name);
   return evaluation_errors(scene, options, [&](double fraction) {
     interrupts.poll();
@@ -86,7 +102,8 @@ std::vector<std::string> arguments_of(const Options& options) {
 }
 
 SceneRuns runs_of(const scene::Scene& scene, const Options& options, const Interrupts& interrupts) {
-  const CompiledModel model = build(scene, integration_functions(scene), options.build);
+  const CompiledModel model =
+      build(scene, integration_functions(scene, options.integration), options.build, /*with_taylor=*/true);
   ProgressBar bar(scene.name + ", integration");
   return integration_runs(scene, model.library.abi(), options.integration, [&](double fraction) {
     interrupts.poll();
@@ -98,7 +115,7 @@ Findings found(const Options& options, const std::vector<scene::Scene>& scenes) 
   const Interrupts interrupts;
   Findings findings;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options.evaluation, interrupts));
+    if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options, interrupts));
     if (!options.integrates()) continue;
     findings.runs.push_back(runs_of(scenes[i], options, interrupts));
     findings.runs.back().path = arguments_of(options)[i];
@@ -118,11 +135,13 @@ std::string command_of(const Options& options) {
   const EvaluationOptions usual;
   if (options.evaluation.states != usual.states) command += fmt::format(" --states {}", options.evaluation.states);
   if (options.evaluation.seed != usual.seed) command += fmt::format(" --seed {}", options.evaluation.seed);
+  if (options.evaluation.is_timed) command += " --timed";
   const IntegrationOptions& run = options.integration;
   if (!run.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(run.integrators, ","));
   if (run.duration) command += " --duration " + shortest(*run.duration);
   if (run.error) command += " --error " + shortest(*run.error);
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
+  if (options.with_peers) command += " --peers";
   if (!options.plot.empty()) command += " --plot " + options.plot;
   return command + " --markdown";
 }
@@ -173,24 +192,48 @@ void check(const Options& options) {
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   if (options.integration_alone && !options.evaluation.functions.empty())
     refuse("--functions: found it beside --integration", "with --evaluation");
+  if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (options.plot.empty()) return;
-  if (!options.integrates()) refuse("--plot: found nothing to draw", "with integration");
   if (const std::size_t count = arguments_of(options).size(); count > 1)
     refuse("--plot: found " + std::to_string(count) + " scenes", "one scene a picture");
   if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
 }
 
-int report(const Options& options) {
+// Other engines that integrate.
+std::vector<Peer> integrating_peers() {
+  std::vector<Peer> list;
+  for (Peer& peer : peers_beside_program())
+    if (peer.functions().n_integrators > 0) list.push_back(std::move(peer));
+  if (list.empty())
+    refuse("--peers: found no other engine in the folder peers beside kanec",
+           "where libsimbody-dev or libmujoco-dev was installed when kanec was built");
+  return list;
+}
+
+int report_hard(const Options& options) {
+  if (!options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
+      options.integration_alone || !options.evaluation.functions.empty())
+    refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
+  return hard::report_hard_cases(
+      {options.scenes, options.brief, options.json, options.markdown, options.output, options.build});
+}
+
+int report(const Options& given) {
+  Options options = given;
+  if (options.hard) return report_hard(options);
+  if (options.brief) refuse("--short: found it without --hard", "with --hard");
   check(options);
+  if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
   std::optional<AtomicFile> picture;
   if (!options.plot.empty()) picture.emplace(options.plot);
   const Findings findings = found(options, scenes);
   if (picture) {
-    picture->write(integration_svg(findings.runs.front()));
+    picture->write(options.draws_evaluation() ? evaluation_svg(findings.errors.front())
+                                              : integration_svg(findings.runs.front()));
     picture->commit();
   }
   file.write(text_of(findings, options));
@@ -201,6 +244,8 @@ int report(const Options& options) {
 void add_parts(CLI::App& command, Options& options) {
   command.add_flag("--evaluation", options.evaluation_alone, "rounding errors of functions alone");
   command.add_flag("--integration", options.integration_alone, "integrators alone");
+  command.add_flag("--hard", options.hard, "hard cases: folders with a hard.toml, or of such folders (models/hard)");
+  command.add_flag("--short", options.brief, "hard cases at the length of the tests");
 }
 
 void add_evaluation(CLI::App& command, EvaluationOptions& options) {
@@ -209,6 +254,7 @@ void add_evaluation(CLI::App& command, EvaluationOptions& options) {
       ->option_text("NUMBER")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--seed", options.seed, "of the random states (1)")->option_text("NUMBER");
+  command.add_flag("--timed", options.is_timed, "emitted variants compiled: time beside error, lanes beside scalar");
 }
 
 void add_integration(CLI::App& command, Options& options) {
@@ -231,7 +277,13 @@ void add_integration(CLI::App& command, Options& options) {
       ->check(CLI::Range(1e-3, 1e6))
       ->option_text("SECONDS")
       ->group(group);
-  command.add_option("--plot", options.plot, "wall time against error, as a picture")
+  command
+      .add_flag("--peers", options.with_peers,
+                "other engines' integrators beside them (Simbody, MuJoCo), gravity alone")
+      ->group(group);
+  command
+      .add_option("--plot", options.plot,
+                  "wall time against error, as a picture; with --evaluation nanoseconds against ulps")
       ->option_text("FILE.svg")
       ->group(group);
 }

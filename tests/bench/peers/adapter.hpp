@@ -3,9 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "runtime/cli/bench/peer_abi.h"
@@ -41,6 +45,42 @@ inline std::vector<Body> bodies_of(const kanec_peer_model& model) {
   return list;
 }
 
+// The wall time of one run.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double limit) : limit_(limit) {}
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  bool is_late() const { return seconds() > limit_; }
+
+ private:
+  double limit_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+// In how many equal steps no longer than `longest` a stretch of time is divided.
+inline int64_t equal_steps(double stretch, double longest) {
+  return std::max<int64_t>(static_cast<int64_t>(std::ceil(stretch / longest - 1e-9)), 1);
+}
+
+// Engines that integrate have `static constexpr std::array<kanec_peer_integrator, …> integrators` and
+// integrate(run, motion), which fills the motion.
+template <class Engine, class = void>
+inline constexpr bool integrates = false;
+template <class Engine>
+inline constexpr bool integrates<Engine, std::void_t<decltype(Engine::integrators)>> = true;
+
+template <class Engine>
+int32_t integrate(void* engine, const kanec_peer_run* run, kanec_peer_motion* motion, char* message,
+                  size_t message_size) {
+  try {
+    static_cast<Engine*>(engine)->integrate(*run, *motion);
+    return 0;
+  } catch (const std::exception& error) {
+    std::snprintf(message, message_size, "%s", error.what());
+    return 1;
+  }
+}
+
 // Engine: a constructor from the model and the number of slots that throws what cannot be modelled, and set(),
 // accelerate(), result() as in kanec_peer.
 template <class Engine>
@@ -55,17 +95,26 @@ void* create(const kanec_peer_model* model, int32_t n_slots, char* message, size
 
 template <class Engine>
 kanec_peer peer(const char* name, const char* note) {
-  return {KANEC_PEER_ABI_VERSION,
-          sizeof(kanec_peer),
-          name,
-          note,
-          &create<Engine>,
-          [](void* engine) { delete static_cast<Engine*>(engine); },
-          [](void* engine, int32_t slot, const double* q, const double* u, const double* force) {
-            static_cast<Engine*>(engine)->set(slot, q, u, force);
-          },
-          [](void* engine, int32_t slot) { static_cast<Engine*>(engine)->accelerate(slot); },
-          [](void* engine, double* u_rate) { static_cast<Engine*>(engine)->result(u_rate); }};
+  kanec_peer peer = {KANEC_PEER_ABI_VERSION,
+                     sizeof(kanec_peer),
+                     name,
+                     note,
+                     &create<Engine>,
+                     [](void* engine) { delete static_cast<Engine*>(engine); },
+                     [](void* engine, int32_t slot, const double* q, const double* u, const double* force) {
+                       static_cast<Engine*>(engine)->set(slot, q, u, force);
+                     },
+                     [](void* engine, int32_t slot) { static_cast<Engine*>(engine)->accelerate(slot); },
+                     [](void* engine, double* u_rate) { static_cast<Engine*>(engine)->result(u_rate); },
+                     0,
+                     nullptr,
+                     nullptr};
+  if constexpr (integrates<Engine>) {
+    peer.n_integrators = static_cast<int32_t>(Engine::integrators.size());
+    peer.integrators = Engine::integrators.data();
+    peer.integrate = &integrate<Engine>;
+  }
+  return peer;
 }
 
 }  // namespace kanec::peers

@@ -1,9 +1,10 @@
-// MuJoCo's way from a state to accelerations, without what it does for contacts, constraints, actuators and sensors.
-// Not: how it is timed.
+// MuJoCo's way from a state to accelerations and along a motion, without what it does for contacts, constraints,
+// actuators and sensors. Not: how it is timed.
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #include <sstream>
@@ -88,6 +89,8 @@ mjModel* compiled(const std::string& text) {
 
 class Engine {
  public:
+  static constexpr std::array<kanec_peer_integrator, 2> integrators = {{{"RK4", 1}, {"Euler", 1}}};
+
   Engine(const kanec_peer_model& model, int n_slots)
       : model_(compiled(document(model)), mj_deleteModel),
         data_(mj_makeData(model_.get()), mj_deleteData),
@@ -131,6 +134,30 @@ class Engine {
       std::copy_n(data_->qacc + first_u(i), bodies_[i].n_u, u_rate + bodies_[i].u);
   }
 
+  void integrate(const kanec_peer_run& run, kanec_peer_motion& motion) {
+    const bool is_rk4 = run.integrator == 0;
+    model_->opt.integrator = is_rk4 ? mjINT_RK4 : mjINT_EULER;
+    begin(states_[static_cast<std::size_t>(run.slot)]);
+    const Stopwatch watch(run.limit);
+    double t = 0.0;
+    for (int32_t i = 0; i < run.n_times && motion.is_late == 0; ++i) {
+      const int64_t steps = equal_steps(run.times[i] - t, run.fineness);
+      model_->opt.timestep = (run.times[i] - t) / static_cast<double>(steps);
+      for (int64_t step = 0; step < steps && motion.is_late == 0; ++step) {
+        mj_step(model_.get(), data_.get());
+        if (++motion.steps % 64 == 0 && watch.is_late()) motion.is_late = 1;
+      }
+      t = run.times[i];
+      write(motion.q + i * model_->nq, motion.u + i * model_->nv);
+    }
+    motion.seconds = watch.seconds();
+    motion.evaluations = (is_rk4 ? 4 : 1) * motion.steps;
+    if (data_->warning[mjWARN_BADQPOS].number + data_->warning[mjWARN_BADQVEL].number +
+            data_->warning[mjWARN_BADQACC].number >
+        0)
+      throw std::runtime_error("it began anew, as its numbers grew beyond its bounds");
+  }
+
  private:
   struct State {
     std::vector<double> q, u, force;
@@ -146,6 +173,32 @@ class Engine {
     const double quaternion[4] = {about.axes.w(), about.axes.x(), about.axes.y(), about.axes.z()};
     std::copy_n(about.moments.data(), 3, model_->body_inertia + 3 * (i + 1));
     std::copy_n(quaternion, 4, model_->body_iquat + 4 * (i + 1));
+  }
+
+  void begin(const State& state) {
+    mj_resetData(model_.get(), data_.get());
+    std::copy(state.q.begin(), state.q.end(), data_->qpos);
+    std::copy(state.u.begin(), state.u.end(), data_->qvel);
+  }
+
+  // The state as it stands, in relative coordinates.
+  void write(double* q, double* u) const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      get_position(i, data_->qpos + first_q(i), q + bodies_[i].q);
+      std::copy_n(data_->qvel + first_u(i), bodies_[i].n_u, u + bodies_[i].u);
+    }
+  }
+
+  void get_position(std::size_t i, const double* from, double* to) const {
+    const Body& body = bodies_[i];
+    std::copy_n(from, body.n_u, to);
+    if (is_free(body.data))
+      for (int j = 0; j < 3; ++j) to[j] -= body->q[j];
+    if (!body->is_ball) return;
+    const double* quaternion = from + body->n_slides;
+    double* eps = to + body->n_slides;
+    std::copy_n(quaternion + 1, 3, eps);
+    eps[3] = quaternion[0];
   }
 
   void set_position(std::size_t i, const double* from, double* to) const {

@@ -1,8 +1,9 @@
-// Simbody's way from a state to accelerations. Not: how it is timed.
+// Simbody's way from a state to accelerations and along a motion. Not: how accelerations are timed.
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Simbody.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -50,22 +51,50 @@ sim::MobilizedBody mobilizer(sim::MobilizedBody& lower, const kanec_peer_body& b
   return sim::MobilizedBody::Slider(lower, on_lower, rigid, on_body);
 }
 
+// The tree of a model; at y = 0 and its joints' zero.
+struct Tree {
+  explicit Tree(const std::vector<Body>& bodies) : matter(system) {
+    for (const Body& body : bodies) {
+      sim::MobilizedBody lower =
+          body->lower == 0 ? sim::MobilizedBody(matter.Ground()) : mobilized[static_cast<std::size_t>(body->lower) - 1];
+      mobilized.push_back(mobilizer(lower, body.data));
+    }
+  }
+
+  sim::State initial_state() {
+    sim::State at = system.realizeTopology();
+    system.realizeModel(at);
+    return at;
+  }
+
+  sim::MultibodySystem system;
+  sim::SimbodyMatterSubsystem matter;
+  std::vector<sim::MobilizedBody> mobilized;
+};
+
+// The same under gravity, to be integrated; what is timed by accelerate() has no force subsystem.
+struct HeavyTree : Tree {
+  HeavyTree(const std::vector<Body>& bodies, const sim::Vec3& gravity) : Tree(bodies), forces(system) {
+    sim::Force::UniformGravity(forces, matter, gravity);
+  }
+
+  sim::GeneralForceSubsystem forces;
+};
+
 class Engine {
  public:
+  static constexpr std::array<kanec_peer_integrator, 3> integrators = {
+      {{"RungeKuttaMerson", 0}, {"RungeKuttaFeldberg", 0}, {"CPodes", 0}}};
+
   Engine(const kanec_peer_model& model, int n_slots)
       : bodies_(bodies_of(model)),
-        matter_(system_),
         gravity_(vec(vector(model.gravity))),
+        tree_(bodies_),
+        at_(tree_.initial_state()),
         states_(static_cast<std::size_t>(n_slots)) {
-    for (const Body& body : bodies_) {
-      sim::MobilizedBody lower = body->lower == 0 ? sim::MobilizedBody(matter_.Ground()) : mobilized_[lower_of(body)];
-      mobilized_.push_back(mobilizer(lower, body.data));
-    }
-    at_ = system_.realizeTopology();
-    system_.realizeModel(at_);
     if (at_.getNQ() != model.n_q || at_.getNU() != model.n_u)
       throw std::runtime_error("other coordinates than the scene's");
-    forces_.resize(matter_.getNumBodies());
+    forces_.resize(tree_.matter.getNumBodies());
     forces_.setToZero();
   }
 
@@ -79,21 +108,21 @@ class Engine {
     const State& state = states_[static_cast<std::size_t>(slot)];
     at_.updQ() = state.q;
     at_.updU() = state.u;
-    system_.realize(at_, sim::Stage::Dynamics);
+    tree_.system.realize(at_, sim::Stage::Dynamics);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const double m = bodies_[i]->mass;
       const sim::Vec3 weight = m * gravity_;
-      const sim::Vec3 arm = mobilized_[i].getBodyRotation(at_) * mobilized_[i].getBodyMassCenterStation(at_);
-      forces_[mobilized_[i].getMobilizedBodyIndex()] = sim::SpatialVec(arm % weight, weight);
+      const sim::Vec3 arm = tree_.mobilized[i].getBodyRotation(at_) * tree_.mobilized[i].getBodyMassCenterStation(at_);
+      forces_[tree_.mobilized[i].getMobilizedBodyIndex()] = sim::SpatialVec(arm % weight, weight);
     }
-    matter_.calcAccelerationIgnoringConstraints(at_, state.force, forces_, u_rate_, accelerations_);
+    tree_.matter.calcAccelerationIgnoringConstraints(at_, state.force, forces_, u_rate_, accelerations_);
     last_ = slot;
   }
 
   void result(double* u_rate) const {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const Body& body = bodies_[i];
-      const int at = mobilized_[i].getFirstUIndex(at_);
+      const int at = tree_.mobilized[i].getFirstUIndex(at_);
       double* to = u_rate + body.u;
       if (!body->is_ball) {
         for (int j = 0; j < body.n_u; ++j) to[j] = u_rate_[at + j];
@@ -106,19 +135,69 @@ class Engine {
     }
   }
 
+  void integrate(const kanec_peer_run& run, kanec_peer_motion& motion) {
+    HeavyTree tree(bodies_, gravity_);
+    sim::State at = tree.initial_state();
+    const State& from = states_[static_cast<std::size_t>(run.slot)];
+    at.updQ() = from.q;
+    at.updU() = from.u;
+    at.setTime(0.0);
+    const std::unique_ptr<sim::Integrator> integrator = made(run.integrator, tree.system);
+    integrator->setAccuracy(run.fineness);
+    integrator->setAllowInterpolation(false);
+    integrator->setReturnEveryInternalStep(true);
+    integrator->setFinalTime(run.times[run.n_times - 1]);
+    const int before = tree.system.getNumRealizationsOfThisStage(sim::Stage::Acceleration);
+    const Stopwatch watch(run.limit);
+    integrator->initialize(at);
+    for (int32_t i = 0; i < run.n_times && motion.is_late == 0; ++i) {
+      while (integrator->getTime() < run.times[i] && motion.is_late == 0) {
+        integrator->stepTo(run.times[i]);
+        motion.is_late = watch.is_late();
+      }
+      write(integrator->getState(), motion.q + i * at.getNQ(), motion.u + i * at.getNU());
+    }
+    motion.seconds = watch.seconds();
+    motion.steps = integrator->getNumStepsTaken();
+    motion.evaluations = tree.system.getNumRealizationsOfThisStage(sim::Stage::Acceleration) - before;
+  }
+
  private:
+  static std::unique_ptr<sim::Integrator> made(int32_t integrator, const sim::System& system) {
+    if (integrator == 0) return std::make_unique<sim::RungeKuttaMersonIntegrator>(system);
+    if (integrator == 1) return std::make_unique<sim::RungeKuttaFeldbergIntegrator>(system);
+    return std::make_unique<sim::CPodesIntegrator>(system);
+  }
+
+  // In relative coordinates, whose ball's speeds are in K's axes.
+  void write(const sim::State& at, double* q, double* u) const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const Body& body = bodies_[i];
+      const int at_q = tree_.mobilized[i].getFirstQIndex(at_), at_u = tree_.mobilized[i].getFirstUIndex(at_);
+      const int slides = body->n_slides, ball_q = body->is_ball ? 4 : 0, ball_u = body->is_ball ? 3 : 0;
+      for (int j = 0; j < body.n_u - ball_u; ++j) {
+        q[body.q + j] = at.getQ()[at_q + ball_q + j];
+        u[body.u + j] = at.getU()[at_u + ball_u + j];
+      }
+      if (!body->is_ball) continue;
+      double* eps = q + body.q + slides;
+      for (int j = 0; j < 4; ++j) eps[(j + 3) % 4] = at.getQ()[at_q + j];
+      const Eigen::Quaterniond attitude{Eigen::Map<const Eigen::Vector4d>(eps)};
+      const Vector3d omega(at.getU()[at_u], at.getU()[at_u + 1], at.getU()[at_u + 2]);
+      Eigen::Map<Vector3d>{u + body.u + slides} = attitude.conjugate() * omega;
+    }
+  }
+
   struct State {
     sim::Vector q, u, force;
     std::vector<Eigen::Matrix3d> attitudes = {};  // of balls: K's components to L(K)'s
   };
 
-  static std::size_t lower_of(const Body& body) { return static_cast<std::size_t>(body->lower) - 1; }
-
   // A ball's quaternion is scalar first, its speeds the relative angular velocity in L(K)'s axes; both before the
   // slides.
   void set_body(std::size_t i, const double* q, const double* u, const double* force, State& state) const {
     const Body& body = bodies_[i];
-    const int at_q = mobilized_[i].getFirstQIndex(at_), at_u = mobilized_[i].getFirstUIndex(at_);
+    const int at_q = tree_.mobilized[i].getFirstQIndex(at_), at_u = tree_.mobilized[i].getFirstUIndex(at_);
     state.attitudes.push_back(Eigen::Matrix3d::Identity());
     const int slides = body->n_slides, ball_q = body->is_ball ? 4 : 0, ball_u = body->is_ball ? 3 : 0;
     for (int j = 0; j < body.n_u - ball_u; ++j) {
@@ -138,10 +217,8 @@ class Engine {
   }
 
   std::vector<Body> bodies_;
-  sim::MultibodySystem system_;
-  sim::SimbodyMatterSubsystem matter_;
   sim::Vec3 gravity_;
-  std::vector<sim::MobilizedBody> mobilized_;
+  Tree tree_;
   sim::State at_;
   sim::Vector_<sim::SpatialVec> forces_, accelerations_;
   sim::Vector u_rate_;

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/hard/hard_case.hpp"
+
+#include <algorithm>
+
+#include "generator/scene/check.hpp"
+#include "generator/scene/nesting.hpp"
+#include "generator/scene/node.hpp"
+#include "generator/scene/read.hpp"
+#include "runtime/base/files.hpp"
+
+namespace kanec::cli::hard {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Node;
+using scene::Table;
+
+toml::table parsed(const std::string& text, const std::string& file) {
+  scene::check_key_depth(text, file);
+  try {
+    return toml::parse(text, std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    scene::fail({file, static_cast<int>(error.source().begin.line)}, std::string(error.description()), "TOML 1.0");
+  }
+}
+
+std::vector<Bound> read_bounds(const Node& node) {
+  std::vector<Bound> bounds;
+  for (const Table::Entry& entry : Table(node, "keeps.").entries()) {
+    const double most = entry.node.real("a positive number");
+    if (most <= 0) entry.node.refuse("a positive number");
+    bounds.push_back({entry.key, most});
+  }
+  return bounds;
+}
+
+Length read_length(const Table& table, Length length, const std::vector<std::string>& more_keys) {
+  std::vector<std::string> keys = {"integrator",         "duration", "output_step", "step", "relative_tolerance",
+                                   "absolute_tolerance", "jacobian", "order",       "keeps"};
+  keys.insert(keys.end(), more_keys.begin(), more_keys.end());
+  table.only(keys);
+  const auto real = [&table](const char* key, double& value) {
+    if (const auto found = table.find(key)) value = found->real("a positive number");
+  };
+  real("duration", length.settings.duration);
+  real("output_step", length.settings.output_step);
+  real("step", length.settings.step);
+  real("relative_tolerance", length.settings.relative_tolerance);
+  real("absolute_tolerance", length.settings.absolute_tolerance);
+  if (const auto found = table.find("integrator")) length.settings.integrator = found->text("an integrator");
+  if (const auto found = table.find("jacobian")) length.settings.jacobian = found->text("auto, dense, sparse, differences");
+  if (const auto found = table.find("order")) length.settings.order = found->integer("a whole number");
+  if (const auto found = table.find("keeps")) length.keeps = read_bounds(*found);
+  scene::check_simulation(length.settings, [&table](const std::string& key) {
+    const auto found = table.find(key);
+    return found ? found->place() : table.place();
+  });
+  return length;
+}
+
+Run read_run(const Node& node, const scene::Simulation& usual) {
+  const Table table(node, "run.");
+  Run run;
+  run.full = read_length(table, {usual, {}}, {"short"});
+  run.brief = run.full;
+  if (const auto brief = table.find("short")) run.brief = read_length(Table(*brief, "run.short."), run.full, {});
+  return run;
+}
+
+}  // namespace
+
+HardCase read_hard_case(const fs::path& folder) {
+  HardCase hard;
+  hard.name = (fs::absolute(folder) / "").lexically_normal().parent_path().filename().string();
+  hard.scene = scene::read(folder / "scene.toml");
+  const std::string file = (folder / "hard.toml").string();
+  const toml::table table = parsed(read_file(file), file);
+  const Table root(table, {file}, "");
+  root.only({"case", "source", "answer", "run"});
+  hard.title = root.at("case", "what is hard, in a line").text("what is hard, in a line");
+  hard.source = root.at("source", "where the answer is from").text("where the answer is from");
+  if (const auto answer = root.find("answer")) hard.answer = answer->text("the name of a known answer");
+  for (const Node& run : root.at("run", "[[run]] tables").list("[[run]] tables"))
+    hard.runs.push_back(read_run(run, hard.scene.simulation));
+  return hard;
+}
+
+std::vector<fs::path> hard_cases(const fs::path& folder) {
+  std::vector<fs::path> list;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (fs::exists(entry.path() / "hard.toml")) list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace kanec::cli::hard

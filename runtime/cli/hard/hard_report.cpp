@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/hard/hard_report.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/hard/hard_text.hpp"
+#include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/kanec.hpp"
+#include "runtime/cli/progress.hpp"
+
+namespace kanec::cli::hard {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> folders_of(const HardOptions& options) {
+  std::vector<fs::path> list;
+  for (const std::string& word : options.folders.empty() ? std::vector<std::string>{"models/hard"} : options.folders) {
+    if (!fs::is_directory(word)) throw InputError("--hard: found '" + word + "'; allowed: folders of hard cases");
+    if (fs::exists(fs::path(word) / "hard.toml"))
+      list.emplace_back(word);
+    else
+      for (fs::path& path : hard_cases(word)) list.push_back(std::move(path));
+  }
+  if (list.empty()) throw InputError("--hard: found no hard.toml; allowed: folders of hard cases, as models/hard");
+  return list;
+}
+
+CaseReport report_of(const fs::path& folder, const HardOptions& options) {
+  CaseReport report{read_hard_case(folder), {}};
+  const CompiledModel model = compiled(report.hard, options.build);
+  const Interrupts interrupts;
+  for (const Run& run : report.hard.runs) {
+    ProgressBar bar(report.hard.name);
+    report.outcomes.push_back(outcome(report.hard, options.brief ? run.brief : run.full, model, [&](double fraction) {
+      interrupts.poll();
+      bar.show(fraction);
+    }));
+  }
+  return report;
+}
+
+bool holds(const CaseReport& report) {
+  return std::all_of(report.outcomes.begin(), report.outcomes.end(),
+                     [](const Outcome& one) { return one.holds() && one.accelerations.holds(); });
+}
+
+std::string command_of(const HardOptions& options) {
+  std::string command = "kanec report --hard";
+  for (const std::string& folder : options.folders) command += " " + folder;
+  return command + (options.brief ? " --short" : "") + " --markdown";
+}
+
+}  // namespace
+
+int report_hard_cases(const HardOptions& options) {
+  const std::vector<fs::path> folders = folders_of(options);
+  std::optional<AtomicFile> file;
+  if (!is_standard_output(options.output)) file.emplace(options.output);
+  std::vector<CaseReport> reports;
+  for (const fs::path& folder : folders) reports.push_back(report_of(folder, options));
+  const std::string text = options.json       ? json_text(report_json(reports))
+                           : options.markdown ? report_markdown(reports, command_of(options))
+                                              : report_text(reports);
+  if (file) {
+    file->write(text);
+    file->commit();
+  } else {
+    print(text);
+  }
+  if (std::all_of(reports.begin(), reports.end(), holds)) return success;
+  remark("not everything was kept to what it is allowed");
+  return check_failed;
+}
+
+}  // namespace kanec::cli::hard

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/hard/hard_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "runtime/cli/table.hpp"
+
+namespace kanec::cli::hard {
+namespace {
+
+// Two digits are more than rounding errors have; whole numbers as far as they go.
+std::string shown(double value) { return fmt::format("{:.2g}", value); }
+
+std::string shown(const Kept& kept) {
+  return fmt::format("{} {}{}{} ({}){}", kept.what, shown(kept.found), kept.unit.empty() ? "" : " ", kept.unit,
+                     shown(kept.most), kept.holds() ? "" : " NOT KEPT");
+}
+
+std::string method(const integrate::Options& options) {
+  const std::string name = integrate::name_of(options.method);
+  return integrate::has_fixed_step(options.method)
+             ? fmt::format("{}, step {} s", name, shown(options.step))
+             : fmt::format("{}, rtol {}", name, shown(options.relative_tolerance));
+}
+
+std::string kept(const Outcome& one) {
+  if (!one.failure.empty()) return one.failure;
+  std::string text;
+  for (const Kept& kept : one.kept) text += (text.empty() ? "" : ", ") + shown(kept);
+  return text;
+}
+
+// "1.2 (generic path 3.4)"
+std::string rounding_text(const Rounding& r) {
+  return fmt::format("{} (generic {}){}", shown(r.emitted), shown(r.generic), r.holds() ? "" : " WORSE");
+}
+
+TextRow row(const HardCase& hard, const Outcome& one) {
+  return {hard.name,
+          method(one.options),
+          fmt::format("{} s", shown(one.options.duration)),
+          std::to_string(one.summary.steps),
+          shown(one.summary.wall_seconds),
+          rounding_text(one.accelerations),
+          fmt::format("{}{}", shown(one.accelerations.single), one.accelerations.suffices_single() ? "" : " no"),
+          kept(one)};
+}
+
+const TextRow head = {
+    "case", "integrator", "length", "steps", "time [s]", "ulps of accelerations", "float", "kept, at worst (allowed)"};
+
+}  // namespace
+
+std::string report_text(const std::vector<CaseReport>& cases) {
+  std::vector<TextRow> rows = {head};
+  for (const CaseReport& one : cases)
+    for (const Outcome& outcome : one.outcomes) rows.push_back(row(one.hard, outcome));
+  return text_table(rows, "lllrrrrl");
+}
+
+std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command) {
+  std::string text = "# Hard cases\n\nWritten by `" + command + R"(`.
+
+Each is a scene under models/hard with its known answer and source. Of every run stands what it kept at its worst, and in
+brackets what it is allowed: energy, momenta and invariants relative, attitudes in rad, positions relative or in m as the
+answer has them. *time* is of the run with its answer beside it, which takes longer where that is a run in higher
+precision itself (double_pendulum, needles). *ulps*: the median error of the accelerations over states of the run, from
+the generic path in long double, beside that of the generic path in double. *float*: the same of the program in single
+precision, relative; "no" where it leaves fewer than three digits.
+
+)";
+  const auto line = [&text](const TextRow& cells) {
+    for (const std::string& cell : cells) text += "| " + cell + " ";
+    text += "|\n";
+  };
+  line(head);
+  text += "|---|---|--:|--:|--:|--:|--:|---|\n";
+  for (const CaseReport& one : cases)
+    for (const Outcome& outcome : one.outcomes) {
+      TextRow cells = row(one.hard, outcome);
+      cells[0] = fmt::format("[{0}](../models/hard/{0}): {1}", one.hard.name, one.hard.title);
+      line(cells);
+    }
+  return text;
+}
+
+Json report_json(const std::vector<CaseReport>& cases) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json list = Json::array();
+  for (const CaseReport& one : cases) {
+    Json runs = Json::array();
+    for (const Outcome& outcome : one.outcomes) {
+      Json kept = Json::array();
+      for (const Kept& k : outcome.kept)
+        kept.push_back(
+            {{"what", k.what}, {"unit", k.unit}, {"found", number(k.found)}, {"most", k.most}, {"holds", k.holds()}});
+      runs.push_back({{"integrator", integrate::name_of(outcome.options.method)},
+                      {"duration", outcome.options.duration},
+                      {"steps", outcome.summary.steps},
+                      {"evaluations", outcome.summary.evaluations},
+                      {"wall_seconds", outcome.summary.wall_seconds},
+                      {"failure", outcome.failure},
+                      {"kept", kept},
+                      {"emitted_ulps", number(outcome.accelerations.emitted)},
+                      {"generic_ulps", number(outcome.accelerations.generic)},
+                      {"float_error", number(outcome.accelerations.single)},
+                      {"holds", outcome.holds() && outcome.accelerations.holds()}});
+    }
+    list.push_back({{"case", one.hard.name}, {"title", one.hard.title}, {"source", one.hard.source}, {"runs", runs}});
+  }
+  return list;
+}
+
+}  // namespace kanec::cli::hard

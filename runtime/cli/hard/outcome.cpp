@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/hard/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/scene/place.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/hard/answer.hpp"
+#include "runtime/cli/integration_options.hpp"
+#include "runtime/cli/paths.hpp"
+#include "runtime/generic/system.hpp"
+
+namespace kanec::cli::hard {
+namespace {
+
+// Energy against work along the run: the slope of the straight line nearest to it, times the duration.
+class Drift {
+ public:
+  void add(double t, double value) {
+    if (n_ == 0) first_ = value;
+    const long double change = static_cast<long double>(value) - first_;
+    ++n_;
+    t_ += t;
+    e_ += change;
+    tt_ += static_cast<long double>(t) * t;
+    te_ += t * change;
+  }
+  double total(double duration) const {
+    const long double spread = n_ * tt_ - t_ * t_;
+    return spread > 0 ? static_cast<double>(std::fabs((n_ * te_ - t_ * e_) / spread * duration)) : 0.0;
+  }
+
+ private:
+  long double n_ = 0, first_ = 0, t_ = 0, e_ = 0, tt_ = 0, te_ = 0;
+};
+
+// Some states evenly along the run.
+class Samples {
+ public:
+  Samples(const scene::Scene& scene, std::int64_t rows)
+      : scene_(scene), every_(std::max<std::int64_t>(1, rows / most)) {}
+
+  void add(const integrate::Row& row) {
+    if (row_++ % every_ != 0 || states_.size() >= most) return;
+    State state = initial_state(scene_);
+    state.t = row.t;
+    state.x.assign(row.x.begin(), row.x.end());
+    state.y.assign(row.y.begin(), row.y.end());
+    states_.push_back(std::move(state));
+  }
+  const std::vector<State>& states() const { return states_; }
+
+ private:
+  static constexpr std::size_t most = 15;
+  const scene::Scene& scene_;
+  std::int64_t every_, row_ = 0;
+  std::vector<State> states_;
+};
+
+// Of a linear momentum beside the largest that so much energy can have, √(2 m T): it may well be zero.
+double of_momentum(const HardCase& hard, const integrate::Summary& summary) {
+  const generic::System<double> system(hard.scene, scene::default_parameters(hard.scene));
+  double mass = 0.0;
+  for (int k = 1; k <= system.n_bodies(); ++k) mass += system.body(k).m;
+  const double kinetic = std::max(summary.energy->start.kinetic, summary.energy->end.kinetic);
+  return summary.linear_momentum->worst.value / std::sqrt(2 * mass * kinetic);
+}
+
+std::vector<Error> physical(const HardCase& hard, const integrate::Summary& summary, const Drift& drift,
+                            double duration) {
+  std::vector<Error> errors;
+  if (summary.energy) {
+    const double scale = summary.energy->worst.scale;
+    errors.push_back({"energy", "", summary.energy->worst.relative()});
+    errors.push_back({"energy_drift", "", scale > 0 ? drift.total(duration) / scale : 0.0});
+  }
+  if (summary.linear_momentum) errors.push_back({"linear_momentum", "", of_momentum(hard, summary)});
+  if (summary.angular_momentum) errors.push_back({"angular_momentum", "", summary.angular_momentum->worst.relative()});
+  errors.push_back({"norm", "", summary.worst_norm_error_after});
+  return errors;
+}
+
+std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::vector<Error>& errors) {
+  std::vector<Kept> list;
+  std::vector<std::string> known;
+  for (const Error& error : errors) known.push_back(error.what);
+  for (const Bound& bound : length.keeps) {
+    const auto same = std::find_if(errors.begin(), errors.end(), [&](const Error& e) { return e.what == bound.what; });
+    if (same == errors.end())
+      scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what),
+                  scene::one_of(known, bound.what));
+    list.push_back({same->what, same->unit, same->value, bound.most});
+  }
+  return list;
+}
+
+}  // namespace
+
+bool Outcome::holds() const {
+  return failure.empty() && std::all_of(kept.begin(), kept.end(), [](const Kept& one) { return one.holds(); });
+}
+
+CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments) {
+  std::vector<std::string> functions = {"accelerations", "energy", "momentum"};
+  bool with_series = false;
+  for (const Run& run : hard.runs) {
+    integrate::Options options = integration_options(hard.scene, run.full.settings);
+    for (std::string& name : functions_to_integrate(hard.scene, options))
+      if (std::find(functions.begin(), functions.end(), name) == functions.end()) functions.push_back(std::move(name));
+    with_series |= integrate::needs_series(options.method);
+  }
+  return build(hard.scene, functions, arguments, with_series);
+}
+
+Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
+                const std::function<void(double)>& progress) {
+  Outcome result;
+  result.options = integration_options(hard.scene, length.settings);
+  const State start = initial_state(hard.scene);
+  const Solver solver = solver_of(model.library.abi(), hard.scene, start);
+  const std::unique_ptr<Answer> known = hard.answer.empty() ? nullptr : answer(hard.answer, hard.scene);
+  Samples samples(hard.scene, integrate::RowTimes(result.options.duration, result.options.output_step).size());
+  Drift drift;
+  try {
+    const auto add = [&](const integrate::Row& row) {
+      if (row.energy) drift.add(row.t, row.energy->total() - row.work);
+      if (known) known->compare(row);
+      samples.add(row);
+    };
+    result.summary = integrate::simulate(solver, start.x, start.y, result.options, add, progress);
+  } catch (const IntegrationError& error) {
+    result.failure = error.what();
+    return result;
+  }
+  std::vector<Error> errors = physical(hard, result.summary, drift, result.options.duration);
+  if (known)
+    for (Error& error : known->errors()) errors.push_back(std::move(error));
+  result.kept = kept(hard, length, errors);
+  result.accelerations = rounding(model, hard.scene, samples.states());
+  return result;
+}
+
+}  // namespace kanec::cli::hard

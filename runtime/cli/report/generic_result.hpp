@@ -1,0 +1,42 @@
+// What the generic path has in a state, as far as other ways can be compared with it. Not: the comparison.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/base/error.hpp"
+#include "runtime/cli/paths.hpp"
+#include "runtime/cli/precise_scalar.hpp"
+#include "runtime/cli/tangent.hpp"
+
+namespace kanec::cli {
+
+inline bool is_finite(double value) { return std::isfinite(value); }
+inline bool is_finite(const Precise&) { return true; }
+
+// Nothing where it has no result.
+template <class Real>
+std::optional<std::vector<Real>> generic_result(const scene::Scene& scene, const std::vector<std::string>& parts,
+                                                const State& state) {
+  try {
+    const std::vector<Real> values = generic_path<Real>(scene, parts, state);
+    if (!std::all_of(values.begin(), values.end(), [](const Real& value) { return is_finite(value); })) return {};
+    return comparable(scene, parts, state.x, values);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+// The same numbers as float has them.
+inline State in_float(State state) {
+  for (auto* values : {&state.parameters, &state.x, &state.y, &state.ydot, &state.inputs})
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  state.t = static_cast<double>(static_cast<float>(state.t));
+  return state;
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,165 @@
+// Steps by Taylor series. Oracles: closed forms, Gauss collocation at a small step, and the conservation laws.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "generator/scene/read.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/integrate/norm.hpp"
+#include "runtime/integrate/simulate.hpp"
+#include "tests/taylor/compiled.hpp"
+
+namespace kanec::test {
+namespace {
+
+using integrate::Method;
+using integrate::Options;
+using integrate::Row;
+using integrate::Summary;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class Motion {
+ public:
+  explicit Motion(scene::Scene scene)
+      : scene_(std::move(scene)), model_(compiled(generate(scene_, request(scene_)), scene_)) {}
+  explicit Motion(const std::string& text) : Motion(scene::parse(text, "scene.toml")) {}
+
+  static Motion of(const std::string& model) {
+    return Motion(scene::read(std::string(KANEC_SOURCE_DIR) + "/models/" + model + "/scene.toml"));
+  }
+
+  Summary run(const Options& options, const integrate::Observer& observer = {}) const {
+    return simulate(Solver(model_.abi()), scene::initial_coordinates(scene_), scene::initial_speeds(scene_), options,
+                    observer);
+  }
+  std::vector<double> end(const Options& options) const {
+    const Summary summary = run(options);
+    std::vector<double> z = summary.x;
+    z.insert(z.end(), summary.y.begin(), summary.y.end());
+    return z;
+  }
+
+ private:
+  static GenerateOptions request(const scene::Scene& scene) {
+    std::vector<std::string> functions = all_rates(scene);
+    functions.insert(functions.end(), {"energy", "momentum"});
+    return {.functions = functions, .with_taylor = true};
+  }
+
+  scene::Scene scene_;
+  compile::Model model_;
+};
+
+Options options(Method method, double tolerance, double duration) {
+  Options options;
+  options.method = method;
+  options.relative_tolerance = tolerance;
+  options.absolute_tolerance = 0.01 * tolerance;
+  options.duration = duration;
+  options.output_step = duration;
+  return options;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = integrate::worse(worst, std::fabs(a[i] - b[i]));
+  return worst;
+}
+
+// The errors of a step are those of its last term; 2 s of this motion amplify them by less than 1000.
+TEST(TaylorMotion, error_falls_with_the_tolerance_down_to_rounding) {
+  const Motion pendulum = Motion::of("double_pendulum");
+  Options fine = options(Method::gauss6, 0, 2.0);
+  fine.relative_tolerance = fine.absolute_tolerance = 1e-9;  // not used
+  fine.step = 1e-3;
+  const std::vector<double> right = pendulum.end(options(Method::taylor_extended, 1e-18, 2.0));
+  EXPECT_LT(difference(pendulum.end(fine), right), 1e-12);
+  for (const double tolerance : {1e-5, 1e-8, 1e-11})
+    EXPECT_LT(difference(pendulum.end(options(Method::taylor, tolerance, 2.0)), right), 1000 * tolerance) << tolerance;
+  EXPECT_LT(difference(pendulum.end(options(Method::taylor, 1e-16, 2.0)), right), 2e-14);
+}
+
+TEST(TaylorMotion, takes_few_long_steps) {
+  const Summary summary = Motion::of("bench_s6b").run(options(Method::taylor, 1e-12, 10.0));
+  EXPECT_LT(summary.steps, 60);
+  EXPECT_EQ(summary.failed, 0);
+  EXPECT_EQ(summary.evaluations, summary.steps + 1);
+  EXPECT_LT(summary.energy->worst.relative(), 1e-14);
+  EXPECT_LT(summary.worst_norm_error_before, 1e-12);
+}
+
+// The polynomial of a step tells every state in it.
+TEST(TaylorMotion, rows_do_not_change_the_steps) {
+  const Motion handle = Motion::of("t_handle");
+  Options once = options(Method::taylor, 1e-13, 3.0), often = once;
+  often.output_step = 1e-3;
+  std::vector<double> middle;
+  const Summary many = handle.run(often, [&](const Row& row) {
+    if (std::fabs(row.t - 1.5) < 1e-9) middle.assign(row.y.begin(), row.y.end());
+  });
+  EXPECT_EQ(many.steps, handle.run(once).steps);
+  EXPECT_EQ(many.x, handle.run(once).x);
+  once.duration = once.output_step = 1.5;
+  EXPECT_LT(difference(handle.run(once).y, middle), 1e-11);
+}
+
+constexpr auto bouncing = R"(
+name = "spring_and_stop"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 1.0
+inertia = [0, 0, 0]
+effort = "-max(0, s_1) * 400 - 100 * s_1"
+[body.initial]
+s = -0.3
+)";
+
+// Frequency 10 rad/s on one side of 0, sqrt(500) on the other: the closed form from crossing to crossing.
+TEST(TaylorMotion, halves_a_step_at_a_kink) {
+  const double pi = std::acos(-1.0), slow = 10, fast = std::sqrt(500.0), period = pi / slow + pi / fast;
+  const Motion motion{std::string(bouncing)};
+  Options run = options(Method::taylor, 1e-10, 5 * period);
+  const Summary summary = motion.run(run);
+  EXPECT_NEAR(summary.x[0], -0.3, 1e-6);
+  EXPECT_NEAR(summary.y[0], 0.0, 1e-5);
+  EXPECT_GT(summary.failed, 0);
+  EXPECT_LT(summary.steps, 2000);
+}
+
+constexpr auto falling_in = R"(
+name = "falling_in"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 1.0
+inertia = [0, 0, 0]
+effort = "-1 / s_1^2"
+[body.initial]
+s = 1.0
+)";
+
+// Free fall into the centre takes pi / (2 sqrt 2) s.
+TEST(TaylorMotion, stops_at_a_singularity_and_tells_when) {
+  const Motion motion{std::string(falling_in)};
+  EXPECT_THAT([&] { motion.run(options(Method::taylor, 1e-10, 2.0)); },
+              ThrowsMessage<IntegrationError>(HasSubstr("stopped at t = 1.1107")));
+}
+
+TEST(TaylorMotion, needs_a_model_with_series) {
+  const scene::Scene scene = scene::parse(bouncing, "scene.toml");
+  const compile::Model model = compiled(generate(scene, {.functions = all_rates(scene)}), scene);
+  const auto run = [&] {
+    simulate(Solver(model.abi()), scene::initial_coordinates(scene), scene::initial_speeds(scene),
+             options(Method::taylor, 1e-10, 1.0));
+  };
+  EXPECT_THAT(run, ThrowsMessage<InputError>(HasSubstr("without the Taylor series")));
+}
+
+}  // namespace
+}  // namespace kanec::test
