@@ -29,6 +29,7 @@ void insert(std::vector<std::string>& list, const std::string& name) {
 std::string lacking(const std::string& function) {
   if (function == "power" || function == "power_x" || function == "power_y" || function == "load_powers")
     return "applied loads";
+  if (function == "events") return "events";
   if (function == "accelerations_u" || function == "input_matrix") return "inputs";
   return function == "driving_loads" ? "locked or prescribed coordinates" : "";
 }

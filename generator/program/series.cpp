@@ -225,8 +225,9 @@ class Storage {
         name(i);
         for (int j = 0; j < from.count; ++j) factor(from.at[j]);
         return;
-      case Recursion::still:
       case Recursion::given:
+        return name(i);
+      case Recursion::still:
       case Recursion::linear:
         return;
     }

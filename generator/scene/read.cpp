@@ -11,6 +11,7 @@
 #include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
 #include "generator/scene/read_ensemble.hpp"
+#include "generator/scene/read_event.hpp"
 #include "generator/scene/read_functions.hpp"
 #include "generator/scene/read_load.hpp"
 #include "generator/scene/read_motion.hpp"
@@ -97,6 +98,7 @@ void read_tree(const Table& root, Symbols& symbols, Scene& scene) {
   for (std::size_t k = 0; k < tables.size(); ++k)
     read_body_loads(tables[k], static_cast<int>(k) + 1, magnitudes, scene);
   read_loads(root, magnitudes, symbols, scene);
+  read_events(root, magnitudes, symbols, scene);
 }
 
 Simulation read_simulation(const Table& root) {
@@ -130,7 +132,7 @@ Simulation read_simulation(const Table& root) {
 }
 
 Scene read_scene(const Table& root) {
-  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "simulate",
+  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "event", "simulate",
              "ensemble"});
   Scene scene;
   Symbols symbols;

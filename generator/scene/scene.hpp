@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/scene/event.hpp"
 #include "generator/scene/expression.hpp"
 #include "generator/scene/joint.hpp"
 #include "generator/scene/layout.hpp"
@@ -75,7 +76,8 @@ struct Scene {
   Vector gravity;  // inertial axes [m/s²]
   std::vector<Load> loads;
   std::vector<Point> points;            // named, for outputs
-  std::vector<Expression> expressions;  // of prescribed coordinates and loads
+  std::vector<Event> events;            // that simulations watch for
+  std::vector<Expression> expressions;  // of prescribed coordinates, loads and events
   std::vector<std::string> functions;   // that the scene asks for; empty: the usual ones
   std::vector<Place> function_places;   // where it does so, of each
   std::vector<Named> parameters;

@@ -23,6 +23,7 @@ const std::map<std::string, Stage>& stages() {
                                                      {"momentum", derive_momentum},
                                                      {"power", derive_power},
                                                      {"load_powers", derive_load_powers},
+                                                     {"events", derive_events},
                                                      {"accelerations", derive_accelerations},
                                                      {"residual", derive_residual},
                                                      {"forcing", derive_forcing},

@@ -1,5 +1,5 @@
 // What one watches besides the motion: kinematical equations, poses, energy, momentum, power of the applied loads,
-// points.
+// points, events.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/acceleration_chain.hpp"
 #include "generator/symbolic/factor.hpp"
@@ -117,6 +117,17 @@ void derive_load_powers(Derivation& derivation) {
     const int at = static_cast<int>(function.outputs.size());
     function.outputs.push_back(
         {derivation.define("W" + std::to_string(at + 1) + "_", "W", 0, Pass::inward, power, ""), at, 1, false});
+  }
+}
+
+// The expressions as they stand.
+void derive_events(Derivation& derivation) {
+  Function& function = derivation.function("events");
+  for (const scene::Event& event : derivation.equations.scene.events) {
+    const int at = static_cast<int>(function.outputs.size());
+    const ex value =
+        derivation.equations.table.add_numbers("g_" + event.name + "_", "g", event.name, {event.expression});
+    function.outputs.push_back({value, at, 1, false});
   }
 }
 

@@ -12,6 +12,7 @@ void derive_energy(Derivation& derivation);
 void derive_momentum(Derivation& derivation);
 void derive_power(Derivation& derivation);
 void derive_load_powers(Derivation& derivation);
+void derive_events(Derivation& derivation);
 void derive_accelerations(Derivation& derivation);
 void derive_mass_matrix(Derivation& derivation);
 // Parts of derivatives of the residual: by the tangent of x and by y of all but what is applied, and what is applied

@@ -29,6 +29,7 @@ namespace kanec {
 //   partial_angular_velocities, partial_angular_velocity_rates -> ω_{K,y}, body axes, and its rates there (N × 3 × ny)
 //   load_powers            x y u      -> power of each load: Body::force and moment of bodies that have one, then the loads [W]
 //   driving_loads          x y ẏ u    -> loads along locked and prescribed coordinates, in the order of the state's
+//   events                 x y u      -> the expressions of the events, each zero where its event happens
 //   reactions              x y ẏ u    -> for each body force, moment of L(K) on K about K's origin, K's axes (6)
 //   P_position, P_velocity, P_acceleration (x y ẏ u) -> of a named point P, inertial axes (3); P_jacobian -> ∂velocity/∂y (3 × ny)
 //   residual_x (ny × nx), residual_y, residual_ydot (ny × ny), accelerations_x (ny × nx), accelerations_y (ny × ny),

@@ -34,8 +34,7 @@ template <class Real>
 double difference(const std::vector<Real>& found, const std::vector<Real>& expected) {
   if (found.size() != expected.size()) throw InternalError("results of different lengths");
   Real error = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    error = std::max(error, std::fabs(found[i] - expected[i]));
+  for (std::size_t i = 0; i < found.size(); ++i) error = std::max(error, std::fabs(found[i] - expected[i]));
   return static_cast<double>(error);
 }
 
@@ -61,7 +60,9 @@ std::optional<Errors> errors(const scene::Scene& scene, const CompiledModel& mod
   if (!all_finite(found)) return Errors{infinity, infinity, infinity, 0.0};
   const std::vector<Precise> exact = precise(model.generated.program, function, state);
   const auto in_double = expected<double>(scene, parts, state);
-  const auto wide = [](const std::vector<double>& values) { return std::vector<long double>(values.begin(), values.end()); };
+  const auto wide = [](const std::vector<double>& values) {
+    return std::vector<long double>(values.begin(), values.end());
+  };
   return Errors{difference(found, exact), difference(comparable(scene, parts, state.x, wide(found)), *generic),
                 in_double ? difference(wide(*in_double), *generic) : infinity, largest(exact)};
 }
@@ -76,8 +77,8 @@ double usual_size(const std::vector<Errors>& by_state) {
   return sizes.empty() ? 0.0 : median(std::move(sizes));
 }
 
-// What errors are measured by. A result that is zero but for roundings, as the generic path in double shows, is measured by
-// what was rounded.
+// What errors are measured by. A result that is zero but for roundings, as the generic path in double shows, is
+// measured by what was rounded.
 double judged_size(const Errors& error, double usual) {
   constexpr double digits = 0x1p52;
   const double size = std::max(error.size, usual);

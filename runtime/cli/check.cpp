@@ -53,8 +53,7 @@ std::string remark_on(const Agreement& a, const Bounds& bounds) {
 }
 
 std::string text_of(const std::vector<Agreement>& list, const Bounds& bounds) {
-  std::vector<TextRow> rows = {
-      {"function", "ulps: median", "largest", "in state", "from generic", "its own", ""}};
+  std::vector<TextRow> rows = {{"function", "ulps: median", "largest", "in state", "from generic", "its own", ""}};
   for (const Agreement& a : list)
     rows.push_back({a.function, fmt::format("{:.1f}", a.median_ulps), fmt::format("{:.1f}", a.largest_ulps),
                     std::to_string(a.worst_state), fmt::format("{:.1e}", a.generic),

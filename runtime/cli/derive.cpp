@@ -64,7 +64,8 @@ int derive(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const std::string format = options.json ? "json" : options.format;
   if (!options.functions.empty() && !options.reduction) throw InputError("--functions goes with --reduction");
-  if (options.reduction && format == "latex") throw InputError("--reduction: found --format latex; allowed: text, json");
+  if (options.reduction && format == "latex")
+    throw InputError("--reduction: found --format latex; allowed: text, json");
   std::optional<AtomicFile> file;
   if (!options.output.empty()) file.emplace(options.output);
   const std::string text = options.reduction ? reduction_document(scene, options.functions, format == "json")

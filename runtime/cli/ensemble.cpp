@@ -45,7 +45,7 @@ class EndsFile {
     for (const integrate::KeptRow& row : outcome.rows) {
       std::string line = std::to_string(scenario + 1) + ",";
       const integrate::Energy energy = row.energy.value_or(integrate::Energy{});
-      integrate::append_csv(line, {row.t, row.x, row.y, row.work, energy});
+      integrate::append_csv(line, {row.t, row.x, row.y, row.work, energy, {}});
       file_->write(line + "\n");
     }
   }

@@ -41,7 +41,9 @@ std::vector<std::string> functions_to_integrate(const scene::Scene& scene, integ
   constexpr long much = 4000;  // operations of A; its derivatives take some ten times as many
   if (options.jacobian == JacobianChoice::automatic && mass_matrix_operations(scene) > much)
     options.jacobian = JacobianChoice::differences;
-  return needed_functions(options, Functions(scene).has("power"), n_coordinates(scene));
+  std::vector<std::string> list = needed_functions(options, Functions(scene).has("power"), n_coordinates(scene));
+  if (!options.events.empty()) list.emplace_back("events");
+  return list;
 }
 
 std::string all_rates(const scene::Scene& scene) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/integration_options.hpp"
 
+#include "runtime/cli/watched_events.hpp"
+
 namespace kanec::cli {
 
-integrate::Options integration_options(const scene::Simulation& run) {
+integrate::Options integration_options(const scene::Scene& scene, const scene::Simulation& run) {
   integrate::Options options;
+  options.events = watched_events(scene);
   options.method = integrate::method_of(run.integrator);
   options.duration = run.duration;
   options.output_step = run.output_step;

@@ -7,7 +7,7 @@
 
 namespace kanec::cli {
 
-// Of checked settings (scene::check_simulation).
-integrate::Options integration_options(const scene::Simulation& run);
+// Of checked settings (scene::check_simulation), with the scene's events.
+integrate::Options integration_options(const scene::Scene& scene, const scene::Simulation& run);
 
 }  // namespace kanec::cli

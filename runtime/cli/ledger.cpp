@@ -15,7 +15,8 @@ namespace kanec::cli {
 namespace {
 
 // What an overview shows of each scene.
-const std::vector<std::string> overview_functions = {"accelerations", "residual", "mass_matrix", "forcing", "kinematics"};
+const std::vector<std::string> overview_functions = {"accelerations", "residual", "mass_matrix", "forcing",
+                                                     "kinematics"};
 
 std::vector<TextRow> rows_of(const SceneCost& cost) {
   std::vector<TextRow> rows;

@@ -49,8 +49,7 @@ std::string command_of(const Options& options) {
 }
 
 int ledger(const Options& options) {
-  if (options.markdown && options.json)
-    throw InputError("--json: found it beside --markdown; allowed: one of them");
+  if (options.markdown && options.json) throw InputError("--json: found it beside --markdown; allowed: one of them");
   std::optional<AtomicFile> file;
   if (!options.output.empty()) file.emplace(options.output);
   const std::vector<SceneCost> costs = costs_of(options);

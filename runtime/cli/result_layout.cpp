@@ -77,6 +77,12 @@ Layout load_powers(const Scene& scene) {
   return layout;
 }
 
+Layout events(const Scene& scene) {
+  Layout layout{"events", {}};
+  for (const scene::Event& event : scene.events) layout.blocks.push_back({event.name, {}, ""});
+  return layout;
+}
+
 using Builder = Layout (*)(const Scene&);
 
 const std::map<std::string, Builder>& builders() {
@@ -104,6 +110,7 @@ const std::map<std::string, Builder>& builders() {
          return Layout{"power", {{"applied", {}, "W"}}};
        }},
       {"load_powers", load_powers},
+      {"events", events},
       {"driving_loads", driving_loads_layout},
       {"reactions", reactions},
       {"residual_x", [](const Scene& s) { return matrix("residual_x", "r_x", speed_names(s), coordinate_names(s)); }},

@@ -26,6 +26,7 @@ class Writer {
     for (const scene::Body& body : scene_.bodies) write(body);
     for (const scene::Load& load : scene_.loads) write(load);
     for (const scene::Point& point : scene_.points) write(point);
+    for (const scene::Event& event : scene_.events) write(event);
     write(scene_.simulation);
     write(scene_.ensemble);
     return text_;
@@ -68,9 +69,7 @@ class Writer {
     text_ += motion_text(scene_, body);
   }
 
-  std::string body_name(int k) const {
-    return k == 0 ? "ground" : scene_.bodies[static_cast<std::size_t>(k - 1)].name;
-  }
+  std::string body_name(int k) const { return k == 0 ? "ground" : scene_.bodies[static_cast<std::size_t>(k - 1)].name; }
 
   void place(const std::string& prefix, const scene::Point& point) {
     text_ += fmt::format("{}body = \"{}\"\n", prefix, body_name(point.body));
@@ -102,7 +101,8 @@ class Writer {
   std::string coordinate_of(const scene::Load& load) const {
     const scene::Joint& joint = scene_.bodies[static_cast<std::size_t>(load.point.body - 1)].joint;
     const std::string name = fmt::format("{}_{}", load.turn ? "theta" : "s", load.point.body);
-    return (load.turn ? joint.turns : joint.slides).size() == 1 ? name : fmt::format("{}_{}", name, load.coordinate + 1);
+    return (load.turn ? joint.turns : joint.slides).size() == 1 ? name
+                                                                : fmt::format("{}_{}", name, load.coordinate + 1);
   }
 
   void acting(const scene::Load& load) {
@@ -121,6 +121,20 @@ class Writer {
     unless_zero("effort", load.effort);
     unless_zero("damping", load.damping);
     unless_zero("rest", load.rest);
+  }
+
+  void write(const scene::Event& event) {
+    constexpr const char* directions[] = {"both", "up", "down"};
+    constexpr const char* actions[] = {"record", "stop", "set"};
+    text_ += fmt::format("\n[[event]]\nname = \"{}\"\nexpression = {}\ndirection = \"{}\"\naction = \"{}\"\n",
+                         event.name, number(event.expression), directions[static_cast<int>(event.direction)],
+                         actions[static_cast<int>(event.action)]);
+    std::vector<std::string> settings;
+    for (const scene::Event::Setting& setting : event.settings)
+      settings.push_back(scene_.inputs[static_cast<std::size_t>(setting.input)].name + " = " +
+                         toml_real(setting.value));
+    if (!settings.empty()) text_ += fmt::format("set = {{{}}}\n", fmt::join(settings, ", "));
+    text_ += fmt::format("row = {}\n", event.row);
   }
 
   void write(const scene::Simulation& run) {

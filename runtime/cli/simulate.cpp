@@ -8,6 +8,7 @@
 #include "generator/scene/check.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/ensemble.hpp"
@@ -17,10 +18,12 @@
 #include "runtime/cli/model.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/progress.hpp"
+#include "runtime/cli/resume.hpp"
 #include "runtime/cli/scene_argument.hpp"
 #include "runtime/cli/settings.hpp"
 #include "runtime/cli/state_file.hpp"
 #include "runtime/cli/summary.hpp"
+#include "runtime/cli/watched_events.hpp"
 #include "runtime/integrate/plot.hpp"
 #include "runtime/integrate/trajectory.hpp"
 
@@ -38,6 +41,11 @@ up: with them that difference is their work, and energy is no check. The CSV has
 with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
 error. --final leaves the last state as `kanec eval --input` takes it.
 
+Where the scene has [[event]] tables the summary lists what happened when, and the CSV shows the inputs that events set.
+A run that fails says where, and leaves the rows until then; a longer run or a mended one goes on from the last of them
+  kanec simulate models/pendulum --duration 5 --csv swing.csv
+  kanec simulate models/pendulum --duration 9 --resume swing.csv --csv swing.csv
+
 Many runs at once: --ensemble takes a CSV file whose columns are named as coordinates, speeds, parameters or inputs (others
 stay as the scene has them), a line a scenario; or draws them as the scene's [ensemble] says
   kanec simulate models/cart_pole --ensemble runs.csv --integrator rk4 --csv ends.csv
@@ -53,7 +61,7 @@ struct Options {
   std::optional<std::string> integrator, jacobian;
   std::optional<int> order;
   EnsembleArguments ensemble;
-  std::string csv, plot, final_state;
+  std::string csv, plot, final_state, resume;
   bool json = false;
 };
 
@@ -102,17 +110,26 @@ void refuse_same_file(const Options& options) {
 // What the run leaves behind; each file is opened before the run and appears after it.
 class Products {
  public:
-  Products(const Options& options, const scene::Scene& scene) {
+  // rows_before: of the trajectory that the run goes on from.
+  Products(const Options& options, const scene::Scene& scene, const std::string& rows_before) {
     refuse_same_file(options);
-    const integrate::StateNames names{coordinate_names(scene), speed_names(scene)};
+    const integrate::StateNames names = trajectory_names(scene);
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
+    if (csv_ && options.csv == options.resume) csv_->add_text(rows_before);
     if (!options.plot.empty()) plot_.emplace(options.plot, names, true, has_drives(scene));
     if (!options.final_state.empty()) final_.emplace(options.final_state);
   }
 
   void add(const integrate::Row& row) {
+    ++rows_;
     if (csv_) csv_->add(row);
     if (plot_) plot_->add(row);
+  }
+
+  // After a run that failed: the rows until there. Says whether there are any.
+  bool keep_rows() {
+    if (csv_ && rows_ > 0) csv_->finish();
+    return csv_ && rows_ > 0;
   }
 
   void finish(const Json& final_state) {
@@ -127,6 +144,7 @@ class Products {
   std::optional<integrate::Trajectory> csv_;
   std::optional<integrate::Plot> plot_;
   std::optional<AtomicFile> final_;
+  std::int64_t rows_ = 0;
 };
 
 // What the integrator calls, and what the summary tells of.
@@ -136,10 +154,21 @@ std::vector<std::string> functions_for(const scene::Scene& scene, integrate::Opt
   return list;
 }
 
-integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene,
+// " (body 3, arm)" of the component that a message names.
+std::string body_named(const scene::Scene& scene, const std::string& message) {
+  const std::string words = message + " ";
+  for (const auto& names : {coordinate_names(scene), speed_names(scene)})
+    for (const std::string& name : names) {
+      if (words.find(" " + name + " ") == std::string::npos) continue;
+      const int k = integrate::component_of(name).body;
+      return " (body " + std::to_string(k) + ", " + scene.bodies[static_cast<std::size_t>(k - 1)].name + ")";
+    }
+  return "";
+}
+
+integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene, const State& start,
                                    const integrate::Options& options, Products& products,
                                    const Interrupts& interrupts) {
-  const State start = initial_state(scene);
   const Solver solver = solver_of(model, scene, start);
   ProgressBar bar(scene.name);
   const auto progress = [&](double fraction) {
@@ -150,30 +179,58 @@ integrate::Summary integrate_model(const kanec_model& model, const scene::Scene&
       solver, start.x, start.y, options, [&](const auto& row) { products.add(row); }, progress);
 }
 
-State final_state(const scene::Scene& scene, const integrate::Summary& summary, double duration) {
-  return {duration, summary.x, summary.y, {}, default_parameters(scene), default_inputs(scene)};
+State final_state(const scene::Scene& scene, const integrate::Summary& summary) {
+  return {summary.t, summary.x, summary.y, {}, default_parameters(scene), summary.inputs};
+}
+
+// The scene's own start, or where a trajectory ends.
+Resumed start_of(const Options& options, const scene::Scene& scene, integrate::Options& run) {
+  if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
+  Resumed resumed = read_trajectory(read_file(options.resume), options.resume, scene);
+  run.start = resumed.state.t;
+  run.work = resumed.work;
+  if (run.duration < run.start)
+    throw InputError("--resume: found a trajectory until " + shortest(run.start) +
+                     " s; allowed: one that ends before " + shortest(run.duration) + " s, the duration");
+  return resumed;
+}
+
+[[noreturn]] void tell_failure(const IntegrationError& error, const Options& options, const scene::Scene& scene,
+                               Products& products) {
+  std::string message = error.what() + body_named(scene, error.what());
+  if (products.keep_rows()) message += "; the rows until there are in " + options.csv;
+  throw IntegrationError(message);
 }
 
 int simulate_many(const Options& options, const scene::Scene& scene, const integrate::Options& run) {
   refuse_same_file(options);
   if (!options.plot.empty() || !options.final_state.empty())
     throw InputError("--plot, --final: found beside --ensemble; allowed: --csv, which has every scenario's end");
+  if (!options.resume.empty()) throw InputError("--resume: found beside --ensemble; allowed: one run");
+  if (!scene.events.empty())
+    throw InputError("--ensemble: found a scene with [[event]] tables; allowed: one without, or single runs");
   return simulate_ensemble({scene, run, options.ensemble, options.build, options.csv, options.json});
 }
 
 int simulate_scene(const Options& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
-  integrate::Options run = integration_options(simulation_of(scene, options));
+  integrate::Options run = integration_options(set, simulation_of(scene, options));
   if (options.ensemble.is_wanted()) return simulate_many(options, set, run);
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;
-  Products products(options, scene);
+  const Resumed resumed = start_of(options, set, run);
+  Products products(options, scene, resumed.rows);
   const CompiledModel model =
       build(scene, functions_for(scene, run), options.build, integrate::needs_series(run.method));
-  const integrate::Summary summary = integrate_model(model.library.abi(), set, run, products, interrupts);
+  integrate::Summary summary;
+  try {
+    summary = integrate_model(model.library.abi(), set, resumed.state, run, products, interrupts);
+  } catch (const IntegrationError& error) {
+    tell_failure(error, options, scene, products);
+  }
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
-  const Json last = state_json(set, final_state(set, summary, run.duration));
+  const Json last = state_json(set, final_state(set, summary));
   products.finish(last);
   if (!options.json) {
     report(scene.name + "\n" + summary_text(summary, run, conservation), takes_standard_output(options));
@@ -194,6 +251,9 @@ void add_files(CLI::App& command, Options& options) {
       ->group(group);
   command.add_option("--final", options.final_state, "the state at the end, for kanec eval")
       ->option_text("FILE.json")
+      ->group(group);
+  command.add_option("--resume", options.resume, "go on from the last full row of a trajectory that --csv left")
+      ->option_text("FILE.csv")
       ->group(group);
 }
 

@@ -105,8 +105,7 @@ std::vector<double> read_part(const Field& root, const Layout& layout, bool need
   std::vector<double> numbers;
   const std::string summary = summary_of(layout);
   if (!root.has(layout.name)) {
-    if (needed && !layout.blocks.empty())
-      root.refuse("no field \"" + layout.name + "\"", "an object with " + summary);
+    if (needed && !layout.blocks.empty()) root.refuse("no field \"" + layout.name + "\"", "an object with " + summary);
     return numbers;
   }
   const Field part = root.at(layout.name);
@@ -161,8 +160,11 @@ Json named_json(const std::vector<scene::Named>& list, const std::vector<double>
 }  // namespace
 
 State initial_state(const scene::Scene& scene) {
-  return {0.0, initial_coordinates(scene), initial_speeds(scene),
-          std::vector<double>(static_cast<std::size_t>(n_speeds(scene)), 0.0), default_parameters(scene),
+  return {0.0,
+          initial_coordinates(scene),
+          initial_speeds(scene),
+          std::vector<double>(static_cast<std::size_t>(n_speeds(scene)), 0.0),
+          default_parameters(scene),
           default_inputs(scene)};
 }
 

@@ -36,7 +36,8 @@ void append(std::vector<Block>& blocks, const std::vector<Coordinate>& coordinat
     return;
   }
   for (int i = 0; i < n; ++i)
-    if (wanted(coordinates[static_cast<std::size_t>(i)])) blocks.push_back({fmt::format("{}_{}", name, i + 1), {}, unit});
+    if (wanted(coordinates[static_cast<std::size_t>(i)]))
+      blocks.push_back({fmt::format("{}_{}", name, i + 1), {}, unit});
 }
 
 // Rotations of all bodies, then their translations. `in_state`: what is in the state, else what is not.

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "runtime/base/text.hpp"
+#include "runtime/cli/watched_events.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -106,9 +108,11 @@ std::string summary_text(const integrate::Summary& summary, const integrate::Opt
                          const Conservation& conservation) {
   Lines lines;
   lines.add("integrator", method_text(options));
-  lines.add("time",
-            fmt::format("0 to {} s, a row every {} s", shortest(options.duration), shortest(options.output_step)));
+  lines.add("time", fmt::format("{} to {} s, a row every {} s", shortest(options.start), shortest(summary.t),
+                                shortest(options.output_step)));
   add_steps(lines, summary, options);
+  std::string label = "events";
+  for (const std::string& line : event_lines(summary, options.events, 20)) lines.add(std::exchange(label, ""), line);
   if (summary.energy) add_energy(lines, *summary.energy, conservation.driven);
   if (summary.linear_momentum) add_momentum(lines, "linear momentum changed by", "kg m/s", *summary.linear_momentum);
   if (summary.angular_momentum)
@@ -136,6 +140,12 @@ Json summary_json(const integrate::Summary& summary, const integrate::Options& o
                {"evaluations", summary.evaluations},
                {"jacobian_evaluations", summary.jacobians},
                {"wall_seconds", summary.wall_seconds}};
+  if (options.start != 0.0) json["start"] = options.start;
+  if (!options.events.empty()) {
+    json["events"] = events_json(summary, options.events);
+    json["stopped_by_event"] = summary.stopped;
+    json["end"] = summary.t;
+  }
   if (summary.energy) json["energy"] = balance_json(*summary.energy);
   if (summary.energy) json["energy"]["balanced"] = !conservation.driven;
   if (summary.linear_momentum) json["linear_momentum"] = momentum_json(*summary.linear_momentum);

@@ -39,12 +39,14 @@ std::optional<Energy> Balance::add(double t, const double* x, const double* y, d
   return energy;
 }
 
-void EnergyWatch::add(const Energy& energy, double work) {
+void EnergyWatch::add(const Energy& energy, double total_work) {
   if (first_) {
+    work_before_ = total_work;
     balance_.start = energy;
     lowest_potential_ = highest_potential_ = energy.potential;
     first_ = false;
   }
+  const double work = total_work - work_before_;
   balance_.end = energy;
   balance_.work = work;
   largest_kinetic_ = worse(largest_kinetic_, energy.kinetic);

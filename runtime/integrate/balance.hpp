@@ -24,7 +24,7 @@ struct Deviation {
 // Energy change minus work of the applied loads, which is zero but for errors.
 struct EnergyBalance {
   Energy start, end;
-  double work = 0.0;  // of the applied loads, gravity not included [J]
+  double work = 0.0;  // of the applied loads since the first row, gravity not included [J]
   double change() const { return end.total() - start.total(); }
   Deviation
       at_end;  // signed; scale: largest kinetic energy + range of the potential one + largest |work|, over all rows
@@ -47,6 +47,7 @@ class EnergyWatch {
  private:
   bool first_ = true;
   EnergyBalance balance_;
+  double work_before_ = 0.0;
   double largest_kinetic_ = 0.0, largest_work_ = 0.0, lowest_potential_ = 0.0, highest_potential_ = 0.0;
 };
 

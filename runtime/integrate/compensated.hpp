@@ -18,6 +18,9 @@ class Compensated {
     rest_[i] = (old - values_[i]) + wanted;
   }
 
+  // What is kept beside the values.
+  std::vector<double>& rest() { return rest_; }
+
   // The sum and a small change, rounded once.
   double with(std::size_t i, double change) const { return values_[i] + (rest_[i] + change); }
 

@@ -60,15 +60,17 @@ class Cvode final : public Stepper {
         bdf_(options.method == Method::cvode_bdf),
         drift_limit_(100.0 * std::max(options.relative_tolerance, 1e-13)),
         end_(options.duration),
+        t_(options.start),
         z_(std::move(z)),
         row_(z_),
         vector_(view(z_, context_)),
         row_vector_(view(row_, context_)) {
+    data_.state = &z_;
     memory_.reset(CVodeCreate(bdf_ ? CV_BDF : CV_ADAMS, context_));
     if (!memory_) throw InternalError("CVodeCreate failed");
     void* cvode = memory_.get();
     require(CVodeSetErrHandlerFn(cvode, kanec_sundials_message, &data_), "CVodeSetErrHandlerFn", data_);
-    require(CVodeInit(cvode, kanec_sundials_rates, 0.0, vector_.get()), "CVodeInit", data_);
+    require(CVodeInit(cvode, kanec_sundials_rates, t_, vector_.get()), "CVodeInit", data_);
     require(CVodeSetUserData(cvode, &data_), "CVodeSetUserData", data_);
     require(CVodeSStolerances(cvode, options.relative_tolerance, options.absolute_tolerance), "CVodeSStolerances",
             data_);
@@ -78,12 +80,37 @@ class Cvode final : public Stepper {
       set_fixed_point();
   }
 
-  std::span<const double> advance(double t) override {
-    while (t_ < t) step();
-    if (book_.steps == 0) return z_;
+  double time() const override { return t_; }
+
+  std::span<const double> at(double t) override {
+    if (!has_stepped_) return z_;
     require(CVodeGetDky(memory_.get(), t, 0, row_vector_.get()), "CVodeGetDky", data_);
     normalise(row_.data(), data_.system.attitudes());
     return row_;
+  }
+
+  void restart(double t, std::span<const double> z) override {
+    std::copy(z.begin(), z.end(), z_.begin());
+    t_ = t;
+    start_anew();
+  }
+
+  void step(double) override {
+    if (!bdf_ && norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) {
+      start_anew();
+      ++book_.restarts;
+    }
+    require(CVodeSetStopTime(memory_.get(), end_), "CVodeSetStopTime", data_);
+    data_.system.clear_fault();
+    double next = t_;
+    const int flag = CVode(memory_.get(), end_, vector_.get(), &next, CV_ONE_STEP);
+    if (flag < 0) throw_step_failure("cvode", next, failed_in_rates(flag), data_);
+    require_progress("cvode", t_, next, data_);
+    t_ = next;
+    has_stepped_ = true;
+    book_.failed = failed_before_restart_ + failed();
+    if (linear_) book_.jacobians = linear_->evaluations();
+    book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.attitudes()));
   }
 
  private:
@@ -104,25 +131,11 @@ class Cvode final : public Stepper {
     require(CVodeSetProjFn(memory_.get(), kanec_cvode_project), "CVodeSetProjFn", data_);
   }
 
-  void step() {
-    if (!bdf_ && norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) restart();
-    require(CVodeSetStopTime(memory_.get(), end_), "CVodeSetStopTime", data_);
-    data_.system.clear_fault();
-    double next = t_;
-    const int flag = CVode(memory_.get(), end_, vector_.get(), &next, CV_ONE_STEP);
-    if (flag < 0) throw_step_failure("cvode", next, failed_in_rates(flag), data_);
-    require_progress("cvode", t_, next, data_);
-    t_ = next;
-    book_.failed = failed_before_restart_ + failed();
-    if (linear_) book_.jacobians = linear_->evaluations();
-    book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.attitudes()));
-  }
-
-  void restart() {
+  void start_anew() {
     failed_before_restart_ += failed();
     normalise(z_.data(), data_.system.attitudes());
     require(CVodeReInit(memory_.get(), t_, vector_.get()), "CVodeReInit", data_);
-    ++book_.restarts;
+    has_stepped_ = false;
   }
 
   // steps rejected since the last start
@@ -137,14 +150,14 @@ class Cvode final : public Stepper {
   CallbackData data_;
   bool bdf_;
   double drift_limit_;
-  double end_;
+  double end_, t_;
   sundials::Context context_;
   std::vector<double> z_, row_;  // at the end of the last step; at the last row
   VectorHandle vector_, row_vector_;
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, NonlinearDeleter> fixed_point_;
   std::optional<LinearSolver> linear_;
   std::unique_ptr<void, CvodeDeleter> memory_;
-  double t_ = 0.0;
+  bool has_stepped_ = false;  // since the last start
   std::int64_t failed_before_restart_ = 0;
 };
 

@@ -35,18 +35,21 @@ const Tableau<3> order_6 = {{0.5 - r15 / 10, 0.5, 0.5 + r15 / 10},
 template <std::size_t s>
 class Gauss final : public FixedStep {
  public:
-  Gauss(System& system, std::vector<double> z, double longest, const Tableau<s>& tableau, StepBook& book)
-      : FixedStep(system, std::move(z), longest, book),
+  Gauss(System& system, std::vector<double> z, const Options& options, const Tableau<s>& tableau, StepBook& book)
+      : FixedStep(system, std::move(z), options, book),
         tableau_(tableau),
         sum_(z_),
         size_(z_.size()),
         stage_(z_),
         rate_(z_.size()) {
     for (auto* list : {&rates_, &guesses_}) list->fill(std::vector<double>(z_.size()));
+    for (std::vector<double>& rate : rates_) carry(rate);
+    carry(sum_.rest());
+    carry(last_step_);
   }
 
  private:
-  double step(double t, double h) override {
+  double take(double t, double h) override {
     guess(t, h);
     iterate(t, h);
     for (std::size_t i = 0; i < z_.size(); ++i) {
@@ -54,13 +57,13 @@ class Gauss final : public FixedStep {
       for (std::size_t j = 0; j < s; ++j) change += tableau_.b[j] * rates_[j][i];
       sum_.add(i, h * change);
     }
-    last_step_ = h;
+    last_step_[0] = h;
     return norm_error(z_.data(), system().attitudes());
   }
 
   // The rates as the last step's polynomial goes on; at first those at the start.
   void guess(double t, double h) {
-    if (last_step_ == 0.0) {
+    if (last_step_[0] == 0.0) {
       evaluate(t, z_.data(), rate_.data());
       rates_.fill(rate_);
       return;
@@ -68,7 +71,7 @@ class Gauss final : public FixedStep {
     guesses_ = rates_;
     for (std::size_t j = 0; j < s; ++j) {
       std::array<double, s> weight;
-      for (std::size_t l = 0; l < s; ++l) weight[l] = lagrange(l, 1.0 + tableau_.c[j] * h / last_step_);
+      for (std::size_t l = 0; l < s; ++l) weight[l] = lagrange(l, 1.0 + tableau_.c[j] * h / last_step_[0]);
       for (std::size_t i = 0; i < z_.size(); ++i) {
         rates_[j][i] = 0.0;
         for (std::size_t l = 0; l < s; ++l) rates_[j][i] += weight[l] * guesses_[l][i];
@@ -86,19 +89,22 @@ class Gauss final : public FixedStep {
   // Until the stages change by rounding alone, which no longer falls (Hairer, Lubich & Wanner, VIII.6).
   void iterate(double t, double h) {
     for (std::size_t i = 0; i < z_.size(); ++i) size_[i] = std::max(size_[i], std::fabs(z_[i]));
-    double before = std::numeric_limits<double>::infinity();
-    for (int count = 0; count < most_iterations; ++count) {
+    double least = std::numeric_limits<double>::infinity();
+    int stalled = 0;
+    for (int count = 0; count < most_iterations && stalled < patience; ++count) {
       const double change = improve(t, h, count == 0);
       if (!std::isfinite(change)) refuse(t, h);
-      if (change == 0.0 || (change >= before && change < rounding)) return;
-      before = change;
+      if (change == 0.0 || (change >= least && change < rounding)) return;
+      stalled = change < least ? 0 : stalled + 1;
+      least = std::min(least, change);
     }
-    if (before >= rounding) refuse(t, h);  // below it each iteration was a little better
+    if (least >= (stalled == patience ? noise : rounding)) refuse(t, h);
   }
 
-  [[noreturn]] static void refuse(double t, double h) {
+  [[noreturn]] void refuse(double t, double h) const {
     throw IntegrationError("integration stopped at t = " + shortest(t) + " s: the stages of a step of " + shortest(h) +
-                           " s do not converge; take shorter steps, or a method for stiff systems");
+                           " s do not converge, least of all " + system().component(worst_) +
+                           "; take shorter steps, or a method for stiff systems");
   }
 
   // One sweep; returns the largest change of a stage beside the largest value that its component has had.
@@ -116,7 +122,11 @@ class Gauss final : public FixedStep {
       }
       for (std::size_t i = 0; i < z_.size(); ++i) {
         const double change = std::fabs(h * (rate_[i] - rates_[j][i]));
-        if (change > 0.0) largest = worse(largest, change / (size_[i] + std::fabs(h * rate_[i])));
+        if (change > 0.0) {
+          const double share = change / (size_[i] + std::fabs(h * rate_[i]));
+          if (!(share <= largest)) worst_ = static_cast<int>(i);
+          largest = worse(largest, share);
+        }
         rates_[j][i] = rate_[i];
       }
     }
@@ -125,11 +135,14 @@ class Gauss final : public FixedStep {
 
   static constexpr int most_iterations = 100;
   static constexpr double rounding = 1e-12;  // below it a change that no longer falls is taken for rounding
+  static constexpr int patience = 6;         // changes in a row that do not fall
+  static constexpr double noise = 1e-6;      // below it these are taken for rounding of the rates
 
   const Tableau<s>& tableau_;
-  double last_step_ = 0.0;
-  Compensated sum_;           // over the steps
-  std::vector<double> size_;  // largest magnitude of each component so far
+  std::vector<double> last_step_ = {0.0};  // its length; one entry
+  int worst_ = 0;                          // component that changed most in the last sweep
+  Compensated sum_;                        // over the steps
+  std::vector<double> size_;               // largest magnitude of each component so far
   std::vector<double> stage_, rate_;
   std::array<std::vector<double>, s> rates_, guesses_;
 };
@@ -137,9 +150,8 @@ class Gauss final : public FixedStep {
 }  // namespace
 
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book) {
-  if (options.method == Method::gauss4)
-    return std::make_unique<Gauss<2>>(system, std::move(z), options.step, order_4, book);
-  return std::make_unique<Gauss<3>>(system, std::move(z), options.step, order_6, book);
+  if (options.method == Method::gauss4) return std::make_unique<Gauss<2>>(system, std::move(z), options, order_4, book);
+  return std::make_unique<Gauss<3>>(system, std::move(z), options, order_6, book);
 }
 
 }  // namespace kanec::integrate

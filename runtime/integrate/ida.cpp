@@ -41,6 +41,7 @@ class Ida final : public Stepper {
         data_{system},
         drift_limit_(100.0 * std::max(options.relative_tolerance, 1e-13)),
         end_(options.duration),
+        t_(options.start),
         z_(std::move(z)),
         zdot_(z_.size()),
         row_(z_),
@@ -50,18 +51,44 @@ class Ida final : public Stepper {
     if (!system.has_residual())
       throw InputError("ida: found a model without the function 'kinematics+residual" +
                        std::string(system.has_work() ? "+power" : "") + "'; allowed: one that has it");
+    data_.state = &z_;
     find_rates();
     linear_.emplace(system, options, LinearSolver::Form::residual, vector_.get(), context_);
     data_.linear = &*linear_;
     set_up(options);
   }
 
-  std::span<const double> advance(double t) override {
-    while (t_ < t) step();
-    if (book_.steps == 0) return z_;
+  double time() const override { return t_; }
+
+  std::span<const double> at(double t) override {
+    if (!has_stepped_) return z_;
     require(IDAGetDky(memory_.get(), t, 0, row_vector_.get()), "IDAGetDky", data_);
     normalise(row_.data(), data_.system.attitudes());
     return row_;
+  }
+
+  void restart(double t, std::span<const double> z) override {
+    std::copy(z.begin(), z.end(), z_.begin());
+    t_ = t;
+    start_anew();
+  }
+
+  void step(double) override {
+    if (norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) {
+      start_anew();
+      ++book_.restarts;
+    }
+    require(IDASetStopTime(memory_.get(), end_), "IDASetStopTime", data_);
+    data_.system.clear_fault();
+    double next = t_;
+    const int flag = IDASolve(memory_.get(), end_, &next, vector_.get(), rate_vector_.get(), IDA_ONE_STEP);
+    if (flag < 0) throw_step_failure("ida", next, failed_in_residual(flag), data_);
+    require_progress("ida", t_, next, data_);
+    t_ = next;
+    has_stepped_ = true;
+    book_.failed = failed_before_restart_ + failed();
+    book_.jacobians = linear_->evaluations();
+    book_.accepted(t_, norm_error(z_.data(), data_.system.attitudes()));
   }
 
  private:
@@ -70,7 +97,7 @@ class Ida final : public Stepper {
     if (!memory_) throw InternalError("IDACreate failed");
     void* ida = memory_.get();
     require(IDASetErrHandlerFn(ida, kanec_sundials_message, &data_), "IDASetErrHandlerFn", data_);
-    require(IDAInit(ida, kanec_ida_residual, 0.0, vector_.get(), rate_vector_.get()), "IDAInit", data_);
+    require(IDAInit(ida, kanec_ida_residual, t_, vector_.get(), rate_vector_.get()), "IDAInit", data_);
     require(IDASetUserData(ida, &data_), "IDASetUserData", data_);
     require(IDASStolerances(ida, options.relative_tolerance, options.absolute_tolerance), "IDASStolerances", data_);
     require(IDASetLinearSolver(ida, linear_->solver(), linear_->matrix()), "IDASetLinearSolver", data_);
@@ -82,26 +109,12 @@ class Ida final : public Stepper {
     if (!data_.system.rates(t_, z_.data(), zdot_.data())) data_.system.throw_fault();
   }
 
-  void step() {
-    if (norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) restart();
-    require(IDASetStopTime(memory_.get(), end_), "IDASetStopTime", data_);
-    data_.system.clear_fault();
-    double next = t_;
-    const int flag = IDASolve(memory_.get(), end_, &next, vector_.get(), rate_vector_.get(), IDA_ONE_STEP);
-    if (flag < 0) throw_step_failure("ida", next, failed_in_residual(flag), data_);
-    require_progress("ida", t_, next, data_);
-    t_ = next;
-    book_.failed = failed_before_restart_ + failed();
-    book_.jacobians = linear_->evaluations();
-    book_.accepted(t_, norm_error(z_.data(), data_.system.attitudes()));
-  }
-
-  void restart() {
+  void start_anew() {
     failed_before_restart_ += failed();
     normalise(z_.data(), data_.system.attitudes());
     find_rates();
     require(IDAReInit(memory_.get(), t_, vector_.get(), rate_vector_.get()), "IDAReInit", data_);
-    ++book_.restarts;
+    has_stepped_ = false;
   }
 
   // steps rejected since the last start
@@ -115,13 +128,13 @@ class Ida final : public Stepper {
   StepBook& book_;
   CallbackData data_;
   double drift_limit_;
-  double end_;
+  double end_, t_;
   sundials::Context context_;
   std::vector<double> z_, zdot_, row_;  // at the end of the last step, its rates; at the last row
   VectorHandle vector_, rate_vector_, row_vector_;
   std::optional<LinearSolver> linear_;
   std::unique_ptr<void, IdaDeleter> memory_;
-  double t_ = 0.0;
+  bool has_stepped_ = false;  // since the last start
   std::int64_t failed_before_restart_ = 0;
 };
 

@@ -74,18 +74,20 @@ std::array<double, 4> change_of_attitude(const double* eps, const Vector& sigma)
 // products over steps are compensated.
 class Lie final : public FixedStep {
  public:
-  Lie(System& system, std::vector<double> z, double longest, StepBook& book)
-      : FixedStep(system, std::move(z), longest, book),
+  Lie(System& system, std::vector<double> z, const Options& options, StepBook& book)
+      : FixedStep(system, std::move(z), options, book),
         total_(z_),
         stage_(z_),
         rate_(z_.size()),
         sum_(z_.size()),
-        at_(z_.size()) {}
+        at_(z_.size()) {
+    carry(total_.rest());
+  }
 
  private:
   // In `at_` and `rate_`, three entries of each set of Euler parameters are the rotation vector and its rate, the
   // fourth is 0.
-  double step(double t, double h) override {
+  double take(double t, double h) override {
     std::fill(at_.begin(), at_.end(), 0.0);
     std::fill(sum_.begin(), sum_.end(), 0.0);
     constexpr std::array<double, 4> part = {0.0, 0.5, 0.5, 1.0}, weight = {1.0, 2.0, 2.0, 1.0};
@@ -133,7 +135,7 @@ class Lie final : public FixedStep {
 }  // namespace
 
 std::unique_ptr<Stepper> make_lie(System& system, std::vector<double> z, const Options& options, StepBook& book) {
-  return std::make_unique<Lie>(system, std::move(z), options.step, book);
+  return std::make_unique<Lie>(system, std::move(z), options, book);
 }
 
 }  // namespace kanec::integrate

@@ -113,6 +113,10 @@ int arkode_order(const Options& options) {
 void check(const Options& options) {
   if (!(options.duration >= 0.0) || !std::isfinite(options.duration))
     refuse("duration", shortest(options.duration), "zero or a positive number");
+  if (!(options.start >= 0.0) || !std::isfinite(options.start))
+    refuse("start", shortest(options.start), "zero or a positive number");
+  if (options.duration < options.start)
+    refuse("duration", shortest(options.duration), "at least the start, " + shortest(options.start));
   require_positive("output step", options.output_step);
   require_resolvable("output step", options.output_step, options.duration);
   require_positive("step", options.step);
@@ -134,13 +138,16 @@ std::vector<std::string> method_names() {
   return list;
 }
 
-RowTimes::RowTimes(double duration, double output_step) : duration_(duration), step_(output_step), last_(0) {
+RowTimes::RowTimes(double duration, double output_step, double start)
+    : start_(start), duration_(duration), step_(output_step) {
+  constexpr double rounding = 1e-6;  // of a step
+  first_ = static_cast<std::int64_t>(std::floor(start / output_step + rounding)) + 1;
   const double intervals = duration / output_step;
   const double whole = std::round(intervals);
   // a last interval shorter than a millionth of the step is rounding, not a row
-  const bool even = std::fabs(intervals - whole) < 1e-6;
+  const bool even = std::fabs(intervals - whole) < rounding;
   last_ = static_cast<std::int64_t>(even ? whole : std::ceil(intervals));
-  if (last_ == 0 && duration > 0.0) last_ = 1;
+  last_ = std::max(last_, duration > start ? first_ : first_ - 1);
 }
 
 }  // namespace kanec::integrate

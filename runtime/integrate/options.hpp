@@ -1,4 +1,5 @@
-// How long to integrate, with which method, how finely. Not here: what the command line or the scene calls these.
+// From when to when to integrate, with which method, how finely. Not here: what the command line or the scene calls
+// these.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -6,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "runtime/integrate/event.hpp"
 
 namespace kanec::integrate {
 
@@ -25,7 +28,7 @@ enum class Method {
 
 // Where arkode_dirk, cvode_bdf and ida have the derivatives of the rates from, and how they solve with them.
 enum class JacobianChoice {
-  automatic,    // emitted where the model has them: sparse where that takes less time; else differences
+  automatic,    // emitted and sparse where the model has them, else differences
   dense,        // emitted, L U
   sparse,       // emitted, KLU with their pattern of nonzeros
   differences,  // of rates, a column an evaluation; dense
@@ -33,7 +36,9 @@ enum class JacobianChoice {
 
 struct Options {
   Method method = Method::arkode;
-  double duration = 10.0;     // from t = 0 [s]
+  double start = 0.0;         // [s]
+  double work = 0.0;          // of the applied loads before the start [J]
+  double duration = 10.0;     // where the run ends, from t = 0 [s]
   double output_step = 0.01;  // between rows [s]; the last row stands at the duration
   double step = 1e-3;         // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
@@ -42,6 +47,7 @@ struct Options {
       0;  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
   JacobianChoice jacobian = JacobianChoice::automatic;
   std::int64_t max_steps = 100'000'000;
+  std::vector<Event> events;  // watched for; by the entries of the model's function `events`
 };
 
 // Whether a method needs a model that was compiled with its Taylor series.
@@ -75,16 +81,20 @@ std::string name_of(Method method);
 JacobianChoice jacobian_of(std::string_view name);
 std::string name_of(JacobianChoice choice);
 
-// Times of the rows: 0, output_step, 2 output_step, …, duration, each computed on its own.
+// Times of the rows: the start, all multiples of output_step after it, and the duration, each computed on its own.
 class RowTimes {
  public:
-  RowTimes(double duration, double output_step);
-  std::int64_t size() const { return last_ + 1; }
-  double operator[](std::int64_t row) const { return row == last_ ? duration_ : static_cast<double>(row) * step_; }
+  RowTimes(double duration, double output_step, double start = 0.0);
+  std::int64_t size() const { return last_ - first_ + 2; }
+  double operator[](std::int64_t row) const {
+    if (row == 0) return start_;
+    const std::int64_t multiple = first_ + row - 1;
+    return multiple == last_ ? duration_ : static_cast<double>(multiple) * step_;
+  }
 
  private:
-  double duration_, step_;
-  std::int64_t last_;
+  double start_, duration_, step_;
+  std::int64_t first_, last_;  // multiples of the step after the start
 };
 
 }  // namespace kanec::integrate

@@ -74,8 +74,7 @@ std::vector<Panel> panels(const StateNames& names) {
 std::string look(const Panel& panel, const Curve& curve) {
   const bool single = panel.bodies.size() == 1;
   const auto component = static_cast<std::size_t>(curve.component - 1);
-  const std::string hue =
-      single ? colour(component, 4) : colour(index_of_body(panel, curve.body), panel.bodies.size());
+  const std::string hue = single ? colour(component, 4) : colour(index_of_body(panel, curve.body), panel.bodies.size());
   return std::string("lw ") + (panel.bodies.size() > most_names ? "0.6" : "1.4") + " lc rgb '" + hue + "' dt " +
          std::to_string(single ? 1 : curve.component);
 }

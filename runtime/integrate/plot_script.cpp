@@ -72,14 +72,13 @@ std::string energy_block(const PlotData& data) {
 std::string data_blocks(const PlotData& data, const std::vector<Panel>& panels) {
   std::string text = data.has_energy ? energy_block(data) : "";
   for (std::size_t i = 0; i < panels.size(); ++i)
-    for (const int body : panels[i].bodies)
-      text += body_block(data, block_name(i, body), curves_of(panels[i], body));
+    for (const int body : panels[i].bodies) text += body_block(data, block_name(i, body), curves_of(panels[i], body));
   return text;
 }
 
 std::string draw(const Panel& panel, std::size_t number) {
-  std::string text = "set title " + quoted(panel.title + legend_note(panel)) + "\nset ylabel " + quoted(panel.axis) +
-                     "\nplot ";
+  std::string text =
+      "set title " + quoted(panel.title + legend_note(panel)) + "\nset ylabel " + quoted(panel.axis) + "\nplot ";
   for (const int body : panel.bodies) {
     std::size_t column = 2;
     for (const Curve& curve : curves_of(panel, body)) {
@@ -101,7 +100,8 @@ plot $energy using 1:($2+$3) with lines lw 4 lc rgb '#c0c0c0' title 'total', \
   $energy using 1:2 with lines lw 1.4 lc rgb '#1f77b4' title 'kinetic', \
   $energy using 1:3 with lines lw 1.4 lc rgb '#2ca02c' title 'potential', \
   $energy using 1:4 with lines lw 1.4 dt 2 lc rgb '#d62728' title 'work'
-set title )" + quoted(balance) + R"(
+set title )" +
+         quoted(balance) + R"(
 set ylabel 'change of energy - work [J]'
 set format y '%.1e'
 plot $energy using 1:5 with lines lw 1.2 lc rgb '#d62728' notitle

@@ -9,11 +9,11 @@ namespace {
 // The classical fourth-order method; projects after every step.
 class Rk4 final : public FixedStep {
  public:
-  Rk4(System& system, std::vector<double> z, double longest, StepBook& book)
-      : FixedStep(system, std::move(z), longest, book), work_(3 * z_.size()) {}
+  Rk4(System& system, std::vector<double> z, const Options& options, StepBook& book)
+      : FixedStep(system, std::move(z), options, book), work_(3 * z_.size()) {}
 
  private:
-  double step(double t, double h) override {
+  double take(double t, double h) override {
     const auto rates = [this](double at, const double* z, double* zdot) { evaluate(at, z, zdot); };
     rk4_step(static_cast<int>(z_.size()), z_.data(), work_.data(), t, h, rates);
     return normalise(z_.data(), system().attitudes());
@@ -25,7 +25,7 @@ class Rk4 final : public FixedStep {
 }  // namespace
 
 std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book) {
-  return std::make_unique<Rk4>(system, std::move(z), options.step, book);
+  return std::make_unique<Rk4>(system, std::move(z), options, book);
 }
 
 }  // namespace kanec::integrate

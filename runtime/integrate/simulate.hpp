@@ -1,4 +1,4 @@
-// A run from an initial state to a duration: rows to an observer, a summary at the end. Not here: files
+// A run from an initial state to a duration or an event: rows to an observer, a summary at the end. Not here: files
 // (trajectory.hpp), pictures (plot.hpp), how any of it is shown.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
@@ -11,6 +11,7 @@
 
 #include "runtime/abi/solver.hpp"
 #include "runtime/integrate/balance.hpp"
+#include "runtime/integrate/events.hpp"
 #include "runtime/integrate/options.hpp"
 
 namespace kanec::integrate {
@@ -21,6 +22,7 @@ struct Row {
   std::span<const double> x, y;  // Euler parameters of unit norm
   double work;                   // of the applied loads since the start [J]; 0 where the model has no `power`
   std::optional<Energy> energy;  // empty where the model has no `energy`
+  std::span<const double> inputs = {};
 };
 
 struct Summary {
@@ -36,14 +38,19 @@ struct Summary {
   std::optional<MomentumChange> angular_momentum;  // about the inertial origin [kg m²/s]
   double worst_norm_error_before = 0.0;  // | |ε| - 1 | at the end of a step, before projection, over all steps
   double worst_norm_error_after = 0.0;   // the same in the rows
-  std::vector<double> x, y;              // at the end
+  std::vector<Happening> events;         // in the order of time
+  bool stopped = false;                  // by an event, before the duration
+  double t = 0.0;                        // at the end [s]
+  std::vector<double> x, y;              // there
+  std::vector<double> inputs;            // there
 };
 
 using Observer = std::function<void(const Row&)>;
 using Progress = std::function<void(double fraction)>;  // after every step; 0 to 1
 
 // Throws InputError (options, initial state, a model without the functions needed), IntegrationError (time and cause),
-// and whatever the observer throws. Inputs and parameters are those of the solver.
+// and whatever the observer throws. Inputs and parameters are those of the solver, until an event sets inputs; the state
+// and options.work are those at options.start.
 Summary simulate(const Solver& solver, std::span<const double> x, std::span<const double> y, const Options& options,
                  const Observer& observer = {}, const Progress& progress = {});
 

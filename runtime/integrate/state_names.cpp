@@ -18,9 +18,7 @@ struct Known {
 constexpr std::array<Known, 6> known = {
     {{"eps", ""}, {"theta", "rad"}, {"s", "m"}, {"omega", "rad/s"}, {"thetadot", "rad/s"}, {"sdot", "m/s"}}};
 
-std::vector<std::string> list(const char* const* names, int count) {
-  return {names, names + count};
-}
+std::vector<std::string> list(const char* const* names, int count) { return {names, names + count}; }
 
 [[noreturn]] void refuse(std::string_view name) {
   throw InternalError("'" + std::string(name) + "' is no component of a state");

@@ -10,9 +10,12 @@
 
 namespace kanec::integrate {
 
-// In state order: "eps_1_1", "theta_3", "s_2_1"; "omega_1_1", "thetadot_3", "sdot_2_1".
+// In state order: "eps_1_1", "theta_3", "s_2_1"; "omega_1_1", "thetadot_3", "sdot_2_1". And the inputs that change in
+// the run, with their places among all.
 struct StateNames {
   std::vector<std::string> coordinates, speeds;
+  std::vector<std::string> inputs = {};
+  std::vector<int> input_indices = {};
 };
 
 StateNames state_names(const kanec_model& model);

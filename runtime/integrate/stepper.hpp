@@ -37,13 +37,28 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
 
-  // Goes on to time t, not before the last one asked for, never evaluating beyond the end it was made for. Returns z
-  // there with Euler parameters of unit norm, projected or kept so by
-  // the method, valid until the next call. Throws IntegrationError.
-  virtual std::span<const double> advance(double t) = 0;
+  // The end of the last step; before the first one the start, or later.
+  virtual double time() const = 0;
+
+  // One step, on from time(). Beyond `limit` goes only a method whose interpolation is as exact as its steps; none
+  // evaluates beyond the end it was made for. Throws IntegrationError.
+  virtual void step(double limit) = 0;
+
+  // z at t within the last step, as exact as its end, Euler parameters of unit norm, projected or kept so by the method.
+  // Valid until the next call. Throws IntegrationError.
+  virtual std::span<const double> at(double t) = 0;
+
+  // Begins anew from z, which at(t) gave within the last step: the rates are others from there on.
+  virtual void restart(double t, std::span<const double> z) = 0;
+
+  // Steps on to t, not before the last step's start, and gives the state there.
+  std::span<const double> advance(double t) {
+    while (time() < t) step(t);
+    return at(t);
+  }
 };
 
-// `z` at t = 0; system and book must outlive the stepper.
+// `z` at options.start; system and book must outlive the stepper.
 std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_lie(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book);

@@ -11,6 +11,10 @@ std::string stopped(double t, const char* library) {
   return "integration stopped at t = " + shortest(t) + " s: " + library + ": ";
 }
 
+std::string fastest(double t, const CallbackData& data) {
+  return data.state ? "; fastest changes " + data.system.fastest(t, data.state->data()) : "";
+}
+
 }  // namespace
 
 VectorHandle view(std::vector<double>& values, const sundials::Context& context) {
@@ -34,7 +38,8 @@ extern "C" void kanec_sundials_message(int code, const char*, const char*, char*
 
 void throw_step_failure(const char* library, double t, bool in_rates, const CallbackData& data) {
   if (in_rates && data.system.fault()) data.system.throw_fault();
-  throw IntegrationError(stopped(t, library) + (data.message.empty() ? "no cause given" : data.message));
+  throw IntegrationError(stopped(t, library) + (data.message.empty() ? "no cause given" : data.message) +
+                         fastest(t, data));
 }
 
 void require(int flag, const char* call, const CallbackData& data) {
@@ -44,7 +49,7 @@ void require(int flag, const char* call, const CallbackData& data) {
 void require_progress(const char* library, double t, double next, const CallbackData& data) {
   if (next > t) return;
   if (data.system.fault()) data.system.throw_fault();
-  throw IntegrationError(stopped(t, library) + "the step size has collapsed");
+  throw IntegrationError(stopped(t, library) + "the step size has collapsed" + fastest(t, data));
 }
 
 }  // namespace kanec::integrate

@@ -27,6 +27,7 @@ class LinearSolver;
 // What the C callbacks are given.
 struct CallbackData {
   System& system;
+  const std::vector<double>* state = nullptr;  // at the end of the last step
   LinearSolver* linear = nullptr;  // of methods with Newton's iteration
   double norm_error = 0.0;         // before the last projection made inside the library
   std::string message = {};        // last error that the library reported

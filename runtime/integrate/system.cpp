@@ -118,13 +118,24 @@ std::vector<double> state_at_start(const kanec_model& model, std::span<const dou
   return z;
 }
 
-std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y) const {
+std::vector<double> System::initial_state(std::span<const double> x, std::span<const double> y, double work) const {
   std::vector<double> z = state_at_start(solver_->model(), x, y);
   z.resize(static_cast<std::size_t>(size_), 0.0);
+  if (has_work_) z.back() = work;
   return z;
 }
 
 std::string System::component(int index) const { return component_name(solver_->model(), index); }
+
+std::string System::fastest(double t, const double* z) {
+  std::vector<double> rate(static_cast<std::size_t>(size_));
+  if (!rates(t, z, rate.data())) return component(fault_->index);
+  const auto beside = [&](int i) { return std::fabs(rate[static_cast<std::size_t>(i)]) / (1.0 + std::fabs(z[i])); };
+  int fastest = 0;
+  for (int i = 1; i < nx_ + ny_; ++i)
+    if (beside(i) > beside(fastest)) fastest = i;
+  return component(fastest);
+}
 
 void System::throw_fault() const {
   if (!fault_) throw InternalError("no rate was found that is not finite");

@@ -19,7 +19,6 @@ class System {
   // accelerations. The solver must outlive it.
   explicit System(const Solver& solver);
 
-  const Solver& solver() const { return *solver_; }
   int nx() const { return nx_; }
   int ny() const { return ny_; }
   bool has_work() const { return has_work_; }
@@ -39,11 +38,14 @@ class System {
   std::int64_t evaluations() const { return evaluations_; }
   void count_evaluation() { ++evaluations_; }  // made elsewhere
 
-  // z at the start: state_at_start() and no work.
-  std::vector<double> initial_state(std::span<const double> x, std::span<const double> y) const;
+  // z at the start: state_at_start() and the work before.
+  std::vector<double> initial_state(std::span<const double> x, std::span<const double> y, double work = 0.0) const;
 
   // "omega_3_2" for a component of z.
   std::string component(int index) const;
+
+  // The component whose rate is the largest beside itself, which is what steps become short for.
+  std::string fastest(double t, const double* z);
 
   // The last evaluation that was not finite since clear_fault(), and the error that tells of it.
   struct Fault {

@@ -97,16 +97,25 @@ class Taylor final : public Stepper {
       one->rest.assign(z.size(), Real(0));
     }
     std::copy(z.begin(), z.end(), now_.c.begin());
-    expand(now_, 0.0);
-    if (const int bad = first_not_finite(now_); bad >= 0) fail(0.0, bad, "is not finite");
+    expand(now_, options.start);
+    begin();
+  }
+
+  double time() const override { return next_.t; }
+
+  void step(double) override {
+    std::swap(now_, next_);
     find_step();
   }
 
-  std::span<const double> advance(double t) override {
-    while (next_.t < t) {
-      std::swap(now_, next_);
-      find_step();
-    }
+  // The state is that of the polynomial, which has more digits.
+  void restart(double t, std::span<const double>) override {
+    go_to(t);
+    std::swap(now_, next_);
+    begin();
+  }
+
+  std::span<const double> at(double t) override {
     const Real tau = static_cast<Real>(t) - static_cast<Real>(now_.t);
     for (std::size_t i = 0; i < row_.size(); ++i)
       row_[i] = static_cast<double>(now_.c[i] + (now_.rest[i] + now_.change(i, tau)));
@@ -115,6 +124,13 @@ class Taylor final : public Stepper {
   }
 
  private:
+  // With the series in now_.
+  void begin() {
+    if (const int bad = first_not_finite(now_); bad >= 0) fail(now_.t, bad, "is not finite");
+    next_.t = now_.t;
+    find_step();
+  }
+
   int first_order(double tolerance) const {
     const double best = 1.0 - 0.5 * std::log(std::max(tolerance, 1e-30));
     return std::clamp(static_cast<int>(std::lround(best)), lowest_order, series_.highest_order());

@@ -3,12 +3,13 @@
 // One header line, then one line a row, comma-separated, every number the shortest text that reads back exactly.
 // Columns: t[s]; the coordinates (Euler parameters without unit, angles in [rad], translations in [m]); the speeds
 // ([rad/s], [m/s]); kinetic[J] and potential[J], both left out where the model has no `energy`; work[J] of the applied
-// loads since t = 0.
+// loads since t = 0; inputs that events set, without unit.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "runtime/base/files.hpp"
 #include "runtime/integrate/simulate.hpp"
@@ -18,7 +19,7 @@ namespace kanec::integrate {
 
 // The header line and a row's line, without their ends.
 std::string csv_header(const StateNames& names, bool has_energy);
-void append_csv(std::string& line, const Row& row);
+void append_csv(std::string& line, const Row& row, std::span<const int> inputs = {});
 
 // The file stands under its name after finish() only; every failure is a FileError and leaves nothing behind.
 class Trajectory {
@@ -28,12 +29,15 @@ class Trajectory {
   Trajectory(const std::filesystem::path& path, const StateNames& names, bool has_energy);
 
   void add(const Row& row);
+  // Rows as they stand in such a file.
+  void add_text(std::string_view rows) { file_.write(rows); }
   void finish() { file_.commit(); }
 
  private:
   AtomicFile file_;
   bool has_energy_;
   std::size_t n_state_;
+  std::vector<int> inputs_;  // that have columns
   std::string line_;
 };
 

@@ -203,7 +203,7 @@ TEST(Options, name_their_methods) {
   EXPECT_THAT(
       [] { method_of("euler"); },
       ThrowsMessage<InputError>(
-          "integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, cvode_bdf, ida"));
+          "integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, cvode_bdf, ida, taylor, taylor_extended"));
 }
 
 TEST(InitialState, that_cannot_be_used_is_refused) {

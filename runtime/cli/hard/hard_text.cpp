@@ -65,9 +65,10 @@ std::string report_markdown(const std::vector<CaseReport>& cases, const std::str
 
 Each is a scene under models/hard with its known answer and source. Of every run stands what it kept at its worst, and in
 brackets what it is allowed: energy, momenta and invariants relative, attitudes in rad, positions relative or in m as the
-answer has them. *ulps*: the median error of the accelerations over states of the run, from the generic path in long
-double, beside that of the generic path in double. *float*: the same of the program in single precision, relative; "no"
-where it leaves fewer than three digits.
+answer has them. *time* is of the run with its answer beside it, which takes longer where that is a run in higher
+precision itself (double_pendulum, needles). *ulps*: the median error of the accelerations over states of the run, from
+the generic path in long double, beside that of the generic path in double. *float*: the same of the program in single
+precision, relative; "no" where it leaves fewer than three digits.
 
 )";
   const auto line = [&text](const TextRow& cells) {

@@ -106,8 +106,8 @@ CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments) {
   std::vector<std::string> functions = {"accelerations", "energy", "momentum"};
   bool with_series = false;
   for (const Run& run : hard.runs) {
-    const integrate::Options options = integration_options(run.full.settings);
-    for (std::string& name : needed_functions(options, Functions(hard.scene).has("power"), n_coordinates(hard.scene)))
+    integrate::Options options = integration_options(hard.scene, run.full.settings);
+    for (std::string& name : functions_to_integrate(hard.scene, options))
       if (std::find(functions.begin(), functions.end(), name) == functions.end()) functions.push_back(std::move(name));
     with_series |= integrate::needs_series(options.method);
   }
@@ -117,7 +117,7 @@ CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments) {
 Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
                 const std::function<void(double)>& progress) {
   Outcome result;
-  result.options = integration_options(length.settings);
+  result.options = integration_options(hard.scene, length.settings);
   const State start = initial_state(hard.scene);
   const Solver solver = solver_of(model.library.abi(), hard.scene, start);
   const std::unique_ptr<Answer> known = hard.answer.empty() ? nullptr : answer(hard.answer, hard.scene);

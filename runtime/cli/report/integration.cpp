@@ -12,13 +12,21 @@
 #include "runtime/cli/report/reference.hpp"
 #include "runtime/cli/report/refinement.hpp"
 #include "runtime/cli/report/trials.hpp"
+#include "runtime/cli/watched_events.hpp"
 
 namespace kanec::cli {
 namespace {
 
 using integrate::Deviation;
+using integrate::Method;
 using integrate::Options;
 using integrate::Summary;
+
+// Where rounding leaves nothing to gain.
+int last_decade(Method method) {
+  if (method == Method::taylor_extended) return 19;
+  return method == Method::taylor ? 17 : finest_decade;
+}
 
 // Changes beside the largest momentum there was, or, where that vanishes, beside what the energies come to.
 double momentum_error(const Summary& summary, const MotionScales& scales) {
@@ -43,6 +51,7 @@ class Sweep {
         conserved_{is_isolated(scene), has_drives(scene)},
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
+    base_.events = watched_events(scene);
     base_.duration = options.duration.value_or(scene.simulation.duration);
     base_.relative_tolerance = scene.simulation.relative_tolerance;
     base_.absolute_tolerance = scene.simulation.absolute_tolerance;
@@ -111,7 +120,7 @@ class Sweep {
 
   // Finer ones would be given up as well once one was.
   void with_tolerances(const NamedMethod& method) {
-    for (int decade = coarsest_decade; decade <= finest_decade; ++decade) {
+    for (int decade = coarsest_decade; decade <= last_decade(method.options.method); ++decade) {
       const Trial trial = trials_.timed(at_tolerance(method.options, decade), options_.limit);
       add(trial);
       if (trial.out_of_time) return;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/watched_events.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -27,6 +28,7 @@ std::vector<NamedMethod> named_methods(const scene::Scene& scene, const std::vec
   for (const Method method : chosen(names)) {
     integrate::Options options;
     options.method = method;
+    options.events = watched_events(scene);
     functions_to_integrate(scene, options);  // decides on the Jacobian
     list.push_back({name_of(options), options});
     if (method != Method::cvode_bdf || is_by_differences(options)) continue;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/resume.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "generator/scene/place.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/cli/watched_events.hpp"
+#include "runtime/integrate/trajectory.hpp"
+
+namespace kanec::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& found,
+                         const std::string& allowed) {
+  throw InputError(file + ":" + std::to_string(line) + ": found " + found + "; allowed: " + allowed);
+}
+
+std::optional<std::vector<double>> numbers_of(std::string_view line) {
+  std::vector<double> numbers;
+  for (const char *at = line.data(), *end = at + line.size();; ++at) {
+    double value = 0.0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+    numbers.push_back(value);
+    at = next;
+    if (at == end) return numbers;
+    if (*at != ',') return std::nullopt;
+  }
+}
+
+// The lines that end with a line feed, from `begin` on.
+std::vector<std::string_view> full_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string_view::npos; begin = end + 1)
+    lines.push_back(text.substr(begin, end - begin));
+  return lines;
+}
+
+Resumed of_row(const std::vector<double>& row, const scene::Scene& scene, const integrate::StateNames& names) {
+  Resumed resumed{initial_state(scene), 0.0, {}};
+  auto next = row.begin();
+  resumed.state.t = *next++;
+  for (double& value : resumed.state.x) value = *next++;
+  for (double& value : resumed.state.y) value = *next++;
+  next += 2;  // energies
+  resumed.work = *next++;
+  for (const int input : names.input_indices) resumed.state.inputs[static_cast<std::size_t>(input)] = *next++;
+  return resumed;
+}
+
+}  // namespace
+
+Resumed read_trajectory(std::string_view text, const std::string& file, const scene::Scene& scene) {
+  const integrate::StateNames names = trajectory_names(scene);
+  const std::string header = integrate::csv_header(names, true);
+  const std::vector<std::string_view> lines = full_lines(text);
+  if (lines.empty() || lines[0] != header)
+    refuse(file, 1, lines.empty() ? "no full line" : scene::in_quotes(lines[0]),
+           "the header of a trajectory of " + scene.name + ", " + scene::in_quotes(header));
+  if (lines.size() < 2) refuse(file, 2, "no full row", "at least one");
+  std::vector<double> row;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    auto numbers = numbers_of(lines[i]);
+    if (!numbers || numbers->size() != 1 + names.coordinates.size() + names.speeds.size() + 3 + names.inputs.size())
+      refuse(file, i + 1, scene::in_quotes(lines[i]), "a finite number a column");
+    if (i > 1 && !(numbers->front() > row.front()))
+      refuse(file, i + 1, "a time not after the row before", "rows in time");
+    row = std::move(*numbers);
+  }
+  Resumed resumed = of_row(row, scene, names);
+  const std::size_t first = lines[0].size() + 1;
+  resumed.rows = text.substr(first, static_cast<std::size_t>(lines.back().data() - text.data()) - first);
+  return resumed;
+}
+
+}  // namespace kanec::cli
