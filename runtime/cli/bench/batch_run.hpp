@@ -26,7 +26,7 @@ class BatchRun {
   virtual double rounding() const = 0;
 };
 
-// In the batch's own scalar. The batch must outlive it.
+// In the batch's own scalar. The pool has whole blocks of lanes. The batch must outlive it.
 std::unique_ptr<BatchRun> batch_run(const kanec_batch& batch, const std::vector<State>& pool);
 
 }  // namespace kanec::cli

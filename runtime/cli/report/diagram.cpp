@@ -59,7 +59,7 @@ class Drawing {
     for (const std::string& note : diagram_.notes) text += svg_label(16, y += note_height, "note", note);
     text += unknown() + grid() + front();
     for (std::size_t i = 0; i < diagram_.lines.size(); ++i) text += line(i);
-    return svg_picture(width, bottom_ + foot, style, text + legend());
+    return svg_picture(width, bottom_ + foot, style, text + labels() + legend());
   }
 
  private:
@@ -121,14 +121,34 @@ class Drawing {
     std::vector<DiagramPoint> points;
     for (const DiagramPoint& point : diagram_.lines[index].points)
       if (is_drawn(point)) points.push_back(point);
-    const std::string look = fmt::format("stroke=\"{}\"", colour(index));
+    const std::string look = fmt::format("stroke=\"{}\"{}", colour(index), dashes(index));
     std::string text = diagram_.lines[index].is_joined ? polyline(look, points) : "";
-    for (const DiagramPoint& point : points) {
+    for (const DiagramPoint& point : points)
       text += marker(index, x_.at(point.x), y_.at(point.y), point.is_on_front, point.title);
-      if (!point.label.empty()) text += svg_label(x_.at(point.x) + 8, y_.at(point.y) + 4, "note", point.label);
-    }
     return text;
   }
+
+  // None where it would cover one that is there.
+  std::string labels() const {
+    constexpr double height = 11.0, length = 60.0;
+    std::vector<std::array<double, 2>> places;
+    std::string text;
+    for (const DiagramLine& line : diagram_.lines)
+      for (const DiagramPoint& point : line.points) {
+        if (point.label.empty() || !is_drawn(point)) continue;
+        const std::array<double, 2> at = {x_.at(point.x) + 8, y_.at(point.y) + 4};
+        const auto covers = [&](const std::array<double, 2>& other) {
+          return std::fabs(other[0] - at[0]) < length && std::fabs(other[1] - at[1]) < height;
+        };
+        if (std::any_of(places.begin(), places.end(), covers)) continue;
+        places.push_back(at);
+        text += svg_label(at[0], at[1], "note", point.label);
+      }
+    return text;
+  }
+
+  // Lines beyond the colours have them again, dashed.
+  static const char* dashes(std::size_t index) { return index < colours.size() ? "" : " stroke-dasharray=\"5 3\""; }
 
   static const char* colour(std::size_t index) { return colours[index % colours.size()]; }
 
@@ -138,7 +158,7 @@ class Drawing {
     const std::string look =
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", is_full ? colour(index) : "white", colour(index));
     const std::string inner = fmt::format("><title>{}</title>", escaped(title));
-    switch (index % 4) {
+    switch ((index + index / colours.size()) % 4) {
       case 0:
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}{}</circle>\n", x, y, r, look, inner);
       case 1:

@@ -43,7 +43,7 @@ class Single : public Results {
 class InLanes : public Results {
  public:
   InLanes(CompiledModel model, const std::vector<State>& states)
-      : model_(std::move(model)), batch_(batch_run(model_.library.batch(), states)) {}
+      : model_(std::move(model)), batch_(batch_run(model_.library.batch(), in_blocks(states))) {}
 
   std::vector<double> of(const std::string& request, std::size_t state) override {
     const int call = batch_->find(emitted_name(request));
@@ -54,6 +54,14 @@ class InLanes : public Results {
   }
 
  private:
+  // A pool has whole blocks of lanes, of which one has at most these many.
+  static std::vector<State> in_blocks(std::vector<State> states) {
+    constexpr std::size_t most_lanes = 64;
+    const State filling = states.front();
+    states.resize((states.size() + most_lanes - 1) / most_lanes * most_lanes, filling);
+    return states;
+  }
+
   CompiledModel model_;
   std::unique_ptr<BatchRun> batch_;
   std::string evaluated_;

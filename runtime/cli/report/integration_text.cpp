@@ -46,6 +46,7 @@ TextRow row_of(const IntegrationRun& run) {
 
 // What stands after the setting where a run failed.
 std::string failure_text(const IntegrationRun& run) {
+  if (run.wall_seconds == 0.0) return "failed: " + run.failure;
   return fmt::format("failed after {}: {}", duration_text(run.wall_seconds), run.failure);
 }
 

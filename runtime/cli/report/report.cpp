@@ -193,6 +193,8 @@ void check(const Options& options) {
   if (options.integration_alone && !options.evaluation.functions.empty())
     refuse("--functions: found it beside --integration", "with --evaluation");
   if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
+  if (options.evaluation.is_timed && (options.csv || !options.evaluates()))
+    refuse("--timed: found it beside --csv or --integration", "evaluation as text, --json, --markdown or --plot");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (options.plot.empty()) return;
