@@ -13,6 +13,7 @@ bool has(const scene::Scene& scene, std::string_view function) {
   if (function == "power" || function == "load_powers" || function == "power_x" || function == "power_y")
     return !scene.loads.empty() || any(scene.bodies, is_loaded);
   if (function == "accelerations_u" || function == "input_matrix") return !scene.inputs.empty();
+  if (function == "events") return !scene.events.empty();
   if (function != "driving_loads") return true;
   return any(scene.bodies, [&](const scene::Body& body) {
     const scene::Joint& joint = body.joint;

@@ -51,10 +51,11 @@ const auto& usual_functions() {
 template <class Real>
 const auto& functions_on_request() {
   using M = const Motion<Real>&;
-  static constexpr std::array<Function<Real>, 5> table = {{
+  static constexpr std::array<Function<Real>, 6> table = {{
       {"partial_angular_velocities", reads_x, partial_angular_velocities},
       {"partial_angular_velocity_rates", xy, partial_angular_velocity_rates},
       {"load_powers", xyu, load_powers},
+      {"events", xyu, events},
       {"driving_loads", all, driving_loads},
       {"reactions", all, [](M m) { return flat(reactions(m)); }},
   }};

@@ -107,6 +107,15 @@ std::vector<Real> load_powers(const Motion<Real>& motion) {
   return out;
 }
 
+// The expressions of the scene's events.
+template <class Real>
+std::vector<Real> events(const Motion<Real>& motion) {
+  std::vector<Real> out;
+  for (const scene::Event& event : motion.system().scene().events)
+    out.push_back(motion.system().value(event.expression, motion.arguments()));
+  return out;
+}
+
 enum class OfPoint { position, velocity, acceleration, jacobian };
 
 // Inertial axes (3); the Jacobian is the velocity's by y (3 × ny).

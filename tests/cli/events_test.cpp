@@ -88,8 +88,13 @@ TEST_F(Events, stop_the_run) {
   EXPECT_EQ(summary.at("final").at("inputs").at("k"), 20.0);
 }
 
-TEST_F(Events, are_a_function_of_the_scene) {
-  EXPECT_THAT(kanec({"eval", swing_with(""), "--functions", "events"}).out, HasSubstr("bottom"));
+TEST_F(Events, are_a_function_of_the_scene_in_every_path) {
+  const std::string scene = swing_with("");
+  const std::string state = kanec({"eval", scene, "events", "--template"}).out;
+  for (const std::string path : {"emitted", "generic"}) {
+    const Answer answer = kanec({"eval", scene, "events", "--path", path, "--input", "-"}, state);
+    EXPECT_THAT(answer.out, HasSubstr("2.0000000000000000e+00")) << path << answer.err;
+  }
   EXPECT_THAT(kanec({"generate", model("pendulum"), "--functions", "events", "-o", "x"}).err,
               HasSubstr("events, which a scene without events does not have"));
 }

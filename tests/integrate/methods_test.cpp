@@ -116,7 +116,7 @@ TEST(Gauss, says_when_the_stages_do_not_converge) {
   options.step = options.output_step = 1000.0;
   options.duration = 2000.0;
   EXPECT_THAT([&] { run(single_body(), options); },
-              ThrowsMessage<IntegrationError>(HasSubstr("stages of a step of 1000 s do not converge; take shorter")));
+              ThrowsMessage<IntegrationError>(HasSubstr("stages of a step of 1000 s do not converge, least of all ")));
 }
 
 TEST(Rk4, takes_equal_steps_no_longer_than_asked_for) {
