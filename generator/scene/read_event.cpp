@@ -97,8 +97,7 @@ void read_events(const Table& root, Magnitudes& magnitudes, Symbols& symbols, Sc
     Place place = node.place();
     place.field.clear();
     place.body = "event " + std::to_string(scene.events.size() + 1);
-    if (scene.events.size() == most_events)
-      fail(place, "another event", "at most " + std::to_string(most_events));
+    if (scene.events.size() == most_events) fail(place, "another event", "at most " + std::to_string(most_events));
     const Node named = Table(Node(node.value(), place), "").at("name", "the name of the event");
     const std::string name = read_name(named);
     for (const Event& other : scene.events)

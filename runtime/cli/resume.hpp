@@ -11,13 +11,13 @@
 namespace kanec::cli {
 
 struct Resumed {
-  State state;       // of the last full row; inputs that events set as they stand there, all others the scene's
+  State state;        // of the last full row; inputs that events set as they stand there, all others the scene's
   double work = 0.0;  // of the applied loads until there [J]
-  std::string rows;  // before the last full one, without the header
+  std::string rows;   // before the last full one, without the header
 };
 
-// A last line that is cut off is left out. Throws InputError, naming `file`, for columns that are not the scene's and for
-// rows that are no finite numbers in the order of time.
+// A last line that is cut off is left out. Throws InputError, naming `file`, for columns that are not the scene's and
+// for rows that are no finite numbers in the order of time.
 Resumed read_trajectory(std::string_view text, const std::string& file, const scene::Scene& scene);
 
 }  // namespace kanec::cli

@@ -11,15 +11,19 @@
 
 namespace kanec::integrate {
 
-// Pair(system, z, t, options) has its own state: z(), t(), norm_error() of the last step, failed() and jacobians() since
-// it was made; step(limit) ends at the limit at the latest; begin(t, z, h) starts anew, with h where it is not 0.
+// Pair(system, z, t, options) has its own state: z(), t(), norm_error() of the last step, failed() and jacobians()
+// since it was made; step(limit) ends at the limit at the latest; begin(t, z, h) starts anew, with h where it is not 0.
 // Rows are ends of steps, reached by shortening the last one. Inside the last step a second Pair goes there from its
 // start, in one step where it can: the library's interpolants are of lower order than the methods.
 template <class Pair>
 class EmbeddedPair final : public Stepper {
  public:
   EmbeddedPair(System& system, std::vector<double> z, const Options& options, StepBook& book)
-      : system_(system), options_(options), book_(book), pair_(system, z, options.start, options), start_(std::move(z)) {
+      : system_(system),
+        options_(options),
+        book_(book),
+        pair_(system, z, options.start, options),
+        start_(std::move(z)) {
     begin_ = options.start;
   }
 

@@ -27,8 +27,8 @@ class EventWatch {
   // The sides as they are in this state.
   void begin(double t, std::span<const double> z);
 
-  // The first crossing of a wanted direction after `from`, until `to`, both within the stepper's last step; with the sides
-  // of its end where there is none.
+  // The first crossing of a wanted direction after `from`, until `to`, both within the stepper's last step; with the
+  // sides of its end where there is none.
   std::optional<double> next(Stepper& stepper, double from, double to);
 
   // What crosses at t, in the order of events; the sides are then those there.

@@ -97,10 +97,10 @@ class FixedStep : public Stepper {
   StepBook& book_;
   double longest_;
   double t_, step_begin_ = 0.0;
-  double begin_ = 0.0, limit_ = 0.0;      // of the stretch that is divided
-  std::int64_t taken_ = 0, steps_ = 0;    // of it
+  double begin_ = 0.0, limit_ = 0.0;    // of the stretch that is divided
+  std::int64_t taken_ = 0, steps_ = 0;  // of it
   std::vector<std::vector<double>*> carried_;
-  Arrays start_, end_;                    // of the last step, in the order of carried_
+  Arrays start_, end_;  // of the last step, in the order of carried_
   std::vector<double> inside_;
 };
 

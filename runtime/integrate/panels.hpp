@@ -26,8 +26,8 @@ struct Panel {
 // Two panels a kind of coordinate that the state has: the coordinates, and beside them their speeds.
 std::vector<Panel> panels(const StateNames& names);
 
-// Colours tell bodies apart and dashes components; of a single body, colours its components. Every curve of up to twelve
-// is named; of more the bodies are, up to twelve; of still more none.
+// Colours tell bodies apart and dashes components; of a single body, colours its components. Every curve of up to
+// twelve is named; of more the bodies are, up to twelve; of still more none.
 std::string look(const Panel& panel, const Curve& curve);    // "lw 1.4 lc rgb '#1f77b4' dt 1"
 std::string legend(const Panel& panel, const Curve& curve);  // the curve's text, or empty
 std::string legend_note(const Panel& panel);                 // " (1 solid, 2 dashed, 3 dotted)", or empty

@@ -14,7 +14,7 @@ namespace kanec::integrate {
 struct PlotData {
   StateNames names;
   bool has_energy;
-  bool driven;  // prescribed coordinates do work as well
+  bool driven;                      // prescribed coordinates do work as well
   std::vector<double> values = {};  // (samples × columns)
 
   std::size_t columns() const { return 2 + names.coordinates.size() + names.speeds.size() + (has_energy ? 2 : 0); }

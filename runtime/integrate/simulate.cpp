@@ -72,8 +72,9 @@ class Run {
   bool happen(double t, double next_row) {
     const std::span<const double> state = stepper_.at(t);
     const std::vector<double> z(state.begin(), state.end());
-    bool has_row = false, sets = false;
-    std::vector<double> inputs(solver_.inputs().begin(), solver_.inputs().end());
+    bool has_row = false;
+    const std::vector<double> before(solver_.inputs().begin(), solver_.inputs().end());
+    std::vector<double> inputs = before;
     for (const Happening& happening : watch_->cross(t, z)) {
       add(happening);
       const Event& event = options_.events[static_cast<std::size_t>(happening.event)];
@@ -81,14 +82,13 @@ class Run {
       summary_.stopped = summary_.stopped || event.stops;
       for (const Event::Setting& setting : event.settings)
         inputs[static_cast<std::size_t>(setting.input)] = setting.value;
-      sets = sets || !event.settings.empty();
     }
     if (summary_.stopped || (has_row && t < next_row)) add_row(t, z);
-    if (!sets) return !summary_.stopped;
+    if (summary_.stopped || inputs == before) return !summary_.stopped;
     solver_.set_inputs(inputs);
     stepper_.restart(t, z);
     watch_->inputs_changed(t, z);
-    return !summary_.stopped;
+    return true;
   }
 
   // Loads that switch each other on and off at one place would go on for ever.

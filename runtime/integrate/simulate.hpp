@@ -49,8 +49,8 @@ using Observer = std::function<void(const Row&)>;
 using Progress = std::function<void(double fraction)>;  // after every step; 0 to 1
 
 // Throws InputError (options, initial state, a model without the functions needed), IntegrationError (time and cause),
-// and whatever the observer throws. Inputs and parameters are those of the solver, until an event sets inputs; the state
-// and options.work are those at options.start.
+// and whatever the observer throws. Inputs and parameters are those of the solver, until an event sets inputs; the
+// state and options.work are those at options.start.
 Summary simulate(const Solver& solver, std::span<const double> x, std::span<const double> y, const Options& options,
                  const Observer& observer = {}, const Progress& progress = {});
 

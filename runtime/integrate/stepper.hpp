@@ -44,8 +44,8 @@ class Stepper {
   // evaluates beyond the end it was made for. Throws IntegrationError.
   virtual void step(double limit) = 0;
 
-  // z at t within the last step, as exact as its end, Euler parameters of unit norm, projected or kept so by the method.
-  // Valid until the next call. Throws IntegrationError.
+  // z at t within the last step, as exact as its end, Euler parameters of unit norm, projected or kept so by the
+  // method. Valid until the next call. Throws IntegrationError.
   virtual std::span<const double> at(double t) = 0;
 
   // Begins anew from z, which at(t) gave within the last step: the rates are others from there on.

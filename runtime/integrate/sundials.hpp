@@ -28,9 +28,9 @@ class LinearSolver;
 struct CallbackData {
   System& system;
   const std::vector<double>* state = nullptr;  // at the end of the last step
-  LinearSolver* linear = nullptr;  // of methods with Newton's iteration
-  double norm_error = 0.0;         // before the last projection made inside the library
-  std::string message = {};        // last error that the library reported
+  LinearSolver* linear = nullptr;              // of methods with Newton's iteration
+  double norm_error = 0.0;                     // before the last projection made inside the library
+  std::string message = {};                    // last error that the library reported
 };
 
 // Signatures of ARKRhsFn and CVRhsFn (1: not finite), and of their error handlers: messages are kept, warnings dropped.

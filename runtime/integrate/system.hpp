@@ -19,6 +19,7 @@ class System {
   // accelerations. The solver must outlive it.
   explicit System(const Solver& solver);
 
+  const Solver& solver() const { return *solver_; }
   int nx() const { return nx_; }
   int ny() const { return ny_; }
   bool has_work() const { return has_work_; }

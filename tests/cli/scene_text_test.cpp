@@ -139,6 +139,16 @@ damping = 2
 name = "tip"
 body = "ball"
 r = [0.0, 0.0, 0.4]
+[[event]]
+name = "up"
+expression = "s_7 - 0.5*t"
+direction = "up"
+set = {torque = 0.5}
+row = true
+[[event]]
+name = "end"
+expression = "thetadot_hip"
+action = "stop"
 [simulate]
 duration = 2.5
 integrator = "cvode"
@@ -233,6 +243,16 @@ TEST(SceneText, reads_back_as_the_same_scene) {
   ASSERT_EQ(found.points.size(), 1u);
   EXPECT_EQ(found.points[0].name, "tip");
   EXPECT_EQ(found.points[0].r, expected.points[0].r);
+  ASSERT_EQ(found.events.size(), 2u);
+  EXPECT_EQ(found.events[0].direction, scene::Event::Direction::up);
+  ASSERT_EQ(found.events[0].settings.size(), 1u);
+  EXPECT_EQ(found.events[0].settings[0].value, 0.5);
+  EXPECT_TRUE(found.events[0].row);
+  EXPECT_EQ(found.events[1].action, scene::Event::Action::stop);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(found.events[i].name, expected.events[i].name);
+    expect_same(found.events[i].expression, expected.events[i].expression, found, expected);
+  }
   EXPECT_EQ(found.simulation.integrator, "cvode");
   EXPECT_EQ(found.ensemble.count, 12);
   EXPECT_EQ(found.ensemble.seed, 3);

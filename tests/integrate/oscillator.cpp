@@ -42,10 +42,10 @@ kanec_function function(const char* name, int n_out, kanec_evaluate evaluate) {
 }  // namespace
 
 const kanec_model& oscillator() {
-  static const std::array<kanec_function, 4> functions = {
-      {function("kinematics_and_accelerations_and_power", 3, rates),
-       function("kinematics_and_residual_and_power", 3, residual), function("energy", 2, energy),
-       function("events", 3, events)}};
+  static const std::array<kanec_function, 4> functions = {{function("kinematics_and_accelerations_and_power", 3, rates),
+                                                           function("kinematics_and_residual_and_power", 3, residual),
+                                                           function("energy", 2, energy),
+                                                           function("events", 3, events)}};
   static const char *const coordinate = "s_1", *const speed = "sdot_1", *const input = "u";
   static const double no_input = 0.0;
   static const kanec_model model = [] {

@@ -81,7 +81,7 @@ TEST(Toml, message_cuts_no_character_in_two_and_escapes_controls) {
 TEST(Keys, unknown_one_is_refused_with_the_nearest_at_every_level) {
   EXPECT_EQ(message("nam = 'a'\nconnection = [0]\n"),
             "f:1: nam: found an unknown key; allowed: name, connection, gravity, functions, parameters, inputs, body, "
-            "point, load, simulate, ensemble (did you mean name?)");
+            "point, load, event, simulate, ensemble (did you mean name?)");
   EXPECT_EQ(
       message(one_body("interia = 1")),
       "f:6: body 1: interia: found an unknown key; allowed: name, joint, frame_on_lower, mass, inertia, r, q, force, "

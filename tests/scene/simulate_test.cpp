@@ -80,10 +80,10 @@ TEST(Simulate, refuses_an_unknown_integrator_with_the_nearest) {
   EXPECT_EQ(
       message(simulate("integrator = 'arcode'")),
       "f:7: simulate.integrator: found \"arcode\"; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, "
-      "cvode_bdf, ida (did you mean arkode?)");
+      "cvode_bdf, ida, taylor, taylor_extended (did you mean arkode?)");
   EXPECT_EQ(message(simulate("integrator = 4")),
             "f:7: simulate.integrator: found 4; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, "
-            "cvode_bdf, ida");
+            "cvode_bdf, ida, taylor, taylor_extended");
 }
 
 TEST(Simulate, knows_its_integrators) {
