@@ -118,7 +118,7 @@ TEST_F(IntegrationReport, says_the_same_as_text_table_page_and_picture) {
   };
   const std::string both = with({});
   EXPECT_THAT(both, HasSubstr("oscillator: condition of A 1"));
-  EXPECT_THAT(both, HasSubstr("oscillator: integration from t = 0 to 2 s\nreference: gauss6"));
+  EXPECT_THAT(both, HasSubstr("oscillator: integration from t = 0 to 2 s\nreference: taylor_extended"));
   EXPECT_THAT(both, HasSubstr("for an error of 1e-09: gauss6, h "));
   EXPECT_THAT(with({"--markdown"}), testing::AllOf(HasSubstr("# Accuracy of evaluation"), HasSubstr("](runs.svg)")));
   const std::string table = with({"--integration", "--csv"});
