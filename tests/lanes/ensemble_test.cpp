@@ -26,7 +26,16 @@ class Ensemble : public testing::TestWithParam<const char*> {
   const Generated generated = generate(scene, {functions()});
   const compile::Model scalar = compiled(generated, scene);
   const compile::Model lanes = compiled_in_lanes(generated, scene, {"double", 4});
-  EnsembleOptions options = {{integrate::Method::rk4, 0.3, 0.1, 0.01}, 1};
+  EnsembleOptions options = {fixed_steps(), 1};
+
+  static integrate::Options fixed_steps() {
+    integrate::Options run;
+    run.method = integrate::Method::rk4;
+    run.duration = 0.3;
+    run.output_step = 0.1;
+    run.step = 0.01;
+    return run;
+  }
 
   std::vector<std::string> functions() const {
     const bool has_loads = std::string(GetParam()) != "free_body";
