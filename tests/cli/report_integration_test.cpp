@@ -73,7 +73,8 @@ TEST_F(IntegrationReport, errors_fall_with_the_order_of_the_method) {
 }
 
 TEST_F(IntegrationReport, error_control_follows_the_tolerance) {
-  for (const json& run : runs_of(write("scene.toml", oscillator), {"--integrators", "arkode,cvode"}).at("runs")) {
+  const json report = runs_of(write("scene.toml", oscillator), {"--integrators", "arkode,cvode"});
+  for (const json& run : report.at("runs")) {
     const double tolerance = run.at("relative_tolerance"), error = run.at("worst").at("relative");
     EXPECT_LT(error, 1000 * tolerance) << run;                         // of a step, against that of a whole run
     EXPECT_DOUBLE_EQ(run.at("absolute_tolerance"), 1e-3 * tolerance);  // as the scene's defaults are
@@ -147,7 +148,8 @@ TEST_F(IntegrationReport, other_engines_come_to_the_same_motion) {
   if (!fs::exists(KANEC_BINARY_DIR "/peers")) GTEST_SKIP() << "no other engine was installed when this was built";
   const std::vector<std::string> few = {"--integrators", "taylor", "--duration", "1", "--peers"};
   std::map<std::string, double> best;
-  for (const json& run : runs_of(model("tumbling_s6b"), few).at("runs")) {
+  const json report = runs_of(model("tumbling_s6b"), few);
+  for (const json& run : report.at("runs")) {
     if (!run.contains("other_engine") || run.contains("failure")) continue;
     double& least = best.try_emplace(run.at("method"), 1.0).first->second;
     least = std::min<double>(least, run.at("worst").at("relative"));
