@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7e4efc7ddf4f488c of arm_6/scene.toml; the usual functions
+// model 3a7ebc0168d5f54c of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -126,7 +126,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "7e4efc7ddf4f488c";
+inline constexpr char model_hash[] = "3a7ebc0168d5f54c";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

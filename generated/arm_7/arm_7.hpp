@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model b940e3c30e3533ea of arm_7/scene.toml; the usual functions
+// model 9477a716c9219849 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -126,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "b940e3c30e3533ea";
+inline constexpr char model_hash[] = "9477a716c9219849";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

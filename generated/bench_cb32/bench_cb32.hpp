@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cb32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a58571621e381563 of bench_cb32/scene.toml; functions kinematics energy accelerations residual
+// model a2e2d825e0ead4f2 of bench_cb32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: ball
 //   2 body_2 on 1: ball
@@ -76,7 +76,7 @@ inline constexpr int nx = 128;
 inline constexpr int ny = 96;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 96;
-inline constexpr char model_hash[] = "a58571621e381563";
+inline constexpr char model_hash[] = "a2e2d825e0ead4f2";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

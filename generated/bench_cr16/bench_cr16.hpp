@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr16: equations of motion of 16 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0c40240771cf1b38 of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
+// model 3909775f23962e34 of bench_cr16/scene.toml; functions kinematics energy accelerations residual mass_matrix
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -131,7 +131,7 @@ inline constexpr int nx = 16;
 inline constexpr int ny = 16;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 16;
-inline constexpr char model_hash[] = "0c40240771cf1b38";
+inline constexpr char model_hash[] = "3909775f23962e34";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr32: equations of motion of 32 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 29dc60182dd79c18 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
+// model 12e69e2dcb966a01 of bench_cr32/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -153,7 +153,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 32;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 32;
-inline constexpr char model_hash[] = "29dc60182dd79c18";
+inline constexpr char model_hash[] = "12e69e2dcb966a01";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

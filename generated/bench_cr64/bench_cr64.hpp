@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr64: equations of motion of 64 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 6a1e43e5e16508e1 of bench_cr64/scene.toml; functions kinematics energy accelerations residual
+// model e5133106cc910cf1 of bench_cr64/scene.toml; functions kinematics energy accelerations residual
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -192,7 +192,7 @@ inline constexpr int nx = 64;
 inline constexpr int ny = 64;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 64;
-inline constexpr char model_hash[] = "6a1e43e5e16508e1";
+inline constexpr char model_hash[] = "e5133106cc910cf1";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cr7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 2e95ed0d8a73e438 of bench_cr7/scene.toml; the usual functions
+// model 9d79368a5b80d8c6 of bench_cr7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: revolute
 //   2 body_2 on 1: revolute
@@ -126,7 +126,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "2e95ed0d8a73e438";
+inline constexpr char model_hash[] = "9d79368a5b80d8c6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

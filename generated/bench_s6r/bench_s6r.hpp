@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6r: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 8a3eaeae5da88c17 of bench_s6r/scene.toml; the usual functions
+// model bae29808a0fb5f94 of bench_s6r/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: revolute
@@ -129,7 +129,7 @@ inline constexpr int nx = 12;
 inline constexpr int ny = 11;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 11;
-inline constexpr char model_hash[] = "8a3eaeae5da88c17";
+inline constexpr char model_hash[] = "bae29808a0fb5f94";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

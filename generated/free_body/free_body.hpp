@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 038d3b1bbae26549 of free_body/scene.toml; the usual functions
+// model 9f01fe1fbed6b08f of free_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 handle on the inertial frame: free
 //
@@ -36,7 +36,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "038d3b1bbae26549";
+inline constexpr char model_hash[] = "9f01fe1fbed6b08f";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 3582a3d4697f6627 of six_body/scene.toml; the usual functions
+// model 7a13498486fe4663 of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "3582a3d4697f6627";
+inline constexpr char model_hash[] = "7a13498486fe4663";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
