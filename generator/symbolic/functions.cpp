@@ -78,9 +78,11 @@ class List {
     add("reactions", "force and moment on each body through its joint, about its origin, body axes", 6 * n,
         {true, true, true, true, "reaction",
          "force (3) [N] and moment (3) [N m] of body 1, of body 2, ... (n_bodies * 6)"});
-    if (const int events = static_cast<int>(scene_.events.size()); events > 0)
-      add("events", "expressions of the events, each zero where its event happens", events,
-          {true, true, false, true, "g", "one an event (" + std::to_string(events) + ")"});
+    if (const int events = static_cast<int>(scene_.events.size()); events > 0) {
+      program::Signature signature{true, true, false, true, "g", "one an event (" + std::to_string(events) + ")"};
+      signature.by_inputs = true;  // events set inputs by their numbers in the scene
+      add("events", "expressions of the events, each zero where its event happens", events, signature);
+    }
     for (const scene::Point& point : scene_.points) add_point(point.name);
   }
 

@@ -180,7 +180,9 @@ integrate::Summary integrate_model(const kanec_model& model, const scene::Scene&
 }
 
 State final_state(const scene::Scene& scene, const integrate::Summary& summary) {
-  return {summary.t, summary.x, summary.y, {}, default_parameters(scene), summary.inputs};
+  // without events the model may read some of the inputs alone
+  const std::vector<double> inputs = scene.events.empty() ? default_inputs(scene) : summary.inputs;
+  return {summary.t, summary.x, summary.y, {}, default_parameters(scene), inputs};
 }
 
 // The scene's own start, or where a trajectory ends.

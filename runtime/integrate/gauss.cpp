@@ -38,6 +38,7 @@ class Gauss final : public FixedStep {
   Gauss(System& system, std::vector<double> z, const Options& options, const Tableau<s>& tableau, StepBook& book)
       : FixedStep(system, std::move(z), options, book),
         tableau_(tableau),
+        least_size_(1000 * options.absolute_tolerance),
         sum_(z_),
         size_(z_.size()),
         stage_(z_),
@@ -91,14 +92,15 @@ class Gauss final : public FixedStep {
     for (std::size_t i = 0; i < z_.size(); ++i) size_[i] = std::max(size_[i], std::fabs(z_[i]));
     double least = std::numeric_limits<double>::infinity();
     int stalled = 0;
-    for (int count = 0; count < most_iterations && stalled < patience; ++count) {
+    for (int count = 0; count < most_iterations; ++count) {
       const double change = improve(t, h, count == 0);
       if (!std::isfinite(change)) refuse(t, h);
       if (change == 0.0 || (change >= least && change < rounding)) return;
       stalled = change < least ? 0 : stalled + 1;
       least = std::min(least, change);
+      if (stalled >= patience && least < noise) return;
     }
-    if (least >= (stalled == patience ? noise : rounding)) refuse(t, h);
+    if (least >= rounding) refuse(t, h);  // below it each iteration was a little better
   }
 
   [[noreturn]] void refuse(double t, double h) const {
@@ -123,7 +125,7 @@ class Gauss final : public FixedStep {
       for (std::size_t i = 0; i < z_.size(); ++i) {
         const double change = std::fabs(h * (rate_[i] - rates_[j][i]));
         if (change > 0.0) {
-          const double share = change / (size_[i] + std::fabs(h * rate_[i]));
+          const double share = change / (least_size_ + size_[i] + std::fabs(h * rate_[i]));
           if (!(share <= largest)) worst_ = static_cast<int>(i);
           largest = worse(largest, share);
         }
@@ -139,6 +141,7 @@ class Gauss final : public FixedStep {
   static constexpr double noise = 1e-6;      // below it these are taken for rounding of the rates
 
   const Tableau<s>& tableau_;
+  double least_size_;  // that changes are set beside: what rounding makes of a zero does not converge
   std::vector<double> last_step_ = {0.0};  // its length; one entry
   int worst_ = 0;                          // component that changed most in the last sweep
   Compensated sum_;                        // over the steps

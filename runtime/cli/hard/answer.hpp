@@ -45,6 +45,8 @@ std::unique_ptr<Answer> uniform_chain(const scene::Scene& scene);
 std::unique_ptr<Answer> kepler(const scene::Scene& scene);
 // "bounce": one sliding mass that meets a spring of parameter `k` where its coordinate is negative, and leaves it.
 std::unique_ptr<Answer> bounce(const scene::Scene& scene);
+// "switched": one sliding mass whose weight a mass, the one input, two events set, at parameters `low` and `high`.
+std::unique_ptr<Answer> switched(const scene::Scene& scene);
 // "reference": the generic path in long double, extrapolated to 1e-15 a step; "precise": the program in 50 digits to
 // 1e-26 a step.
 std::unique_ptr<Answer> reference(const scene::Scene& scene);

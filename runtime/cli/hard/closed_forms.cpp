@@ -1,5 +1,6 @@
-// Kovalevskaya's invariant, the ellipse, the bounce.
+// Kovalevskaya's invariant, the ellipse, the bounce, the weight that is switched.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <array>
 #include <complex>
 
 #include "runtime/base/error.hpp"
@@ -142,10 +143,59 @@ class Bounce final : public Answer {
   Real rate_ = 0, s0_ = 0, v0_ = 0, meets_ = 0, position_ = 0, speed_ = 0;
 };
 
+// Parabolas: from the start to `low`, from there to `high`, and on.
+class Switched final : public Answer {
+ public:
+  explicit Switched(const scene::Scene& scene) : at_(scene::Layout(scene).bodies.at(0)) {
+    const bool is_right = scene::size(scene) == 1 && at_.s.size() == 1 && scene.events.size() == 2 &&
+                          scene.inputs.size() == 1 && scene.events[0].settings.size() == 1 &&
+                          scene.events[1].settings.size() == 1;
+    if (!is_right) refuse("switched", "one prismatic joint, one input, two events that set it");
+    ends_[0] = parameter("switched", scene, "low");
+    ends_[1] = parameter("switched", scene, "high");
+    g_[0] = scene.inputs[0].value;
+    for (std::size_t i = 0; i < 2; ++i) g_[i + 1] = scene.events[i].settings[0].value;
+  }
+
+  void compare(const integrate::Row& row) override {
+    const Real s = row.x[static_cast<std::size_t>(at_.s.front())];
+    const Real v = row.y[static_cast<std::size_t>(at_.sdot.front())];
+    if (row.t == 0) begin(s, v);
+    std::size_t i = 0;
+    while (i < 2 && row.t >= begin_[i + 1]) ++i;
+    const Real tau = row.t - begin_[i];
+    position_ = std::max(position_, std::fabs(s - (s_[i] + tau * (v_[i] - tau * g_[i] / 2))));
+    speed_ = std::max(speed_, std::fabs((v - (v_[i] - tau * g_[i])) / v_[0]));
+  }
+
+  std::vector<Error> errors() const override {
+    return {{"position", "m", static_cast<double>(position_)}, {"speed", "", static_cast<double>(speed_)}};
+  }
+
+ private:
+  void begin(Real s, Real v) {
+    s_[0] = s;
+    v_[0] = v;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Real square = v_[i] * v_[i] - 2 * g_[i] * (ends_[i] - s_[i]);
+      if (square <= 0) refuse("switched", "a start from which both events are reached upwards");
+      s_[i + 1] = ends_[i];
+      v_[i + 1] = std::sqrt(square);
+      begin_[i + 1] = begin_[i] + 2 * (ends_[i] - s_[i]) / (v_[i] + v_[i + 1]);
+    }
+  }
+
+  scene::BodyLayout at_;
+  std::array<Real, 2> ends_{};                     // of the first two parabolas
+  std::array<Real, 3> g_{}, begin_{}, s_{}, v_{};  // of each: weight a mass, and where it begins
+  Real position_ = 0, speed_ = 0;
+};
+
 }  // namespace
 
 std::unique_ptr<Answer> kovalevskaya(const scene::Scene& scene) { return std::make_unique<Kovalevskaya>(scene); }
 std::unique_ptr<Answer> kepler(const scene::Scene& scene) { return std::make_unique<Kepler>(scene); }
 std::unique_ptr<Answer> bounce(const scene::Scene& scene) { return std::make_unique<Bounce>(scene); }
+std::unique_ptr<Answer> switched(const scene::Scene& scene) { return std::make_unique<Switched>(scene); }
 
 }  // namespace kanec::cli::hard
