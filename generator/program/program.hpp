@@ -84,7 +84,7 @@ struct Signature {
   std::string layout;                // "rates of x (nx) [1/s], [m/s]"
   Index columns = 0;                 // of a matrix whose pattern of entries that are not always 0 is of interest; else 0
   std::vector<Result> results = {};  // of a combined function, one after another; empty: `out` alone
-  bool by_inputs = false;            // a column is an input: the code has all of the scene's
+  bool by_inputs = false;            // inputs by number, columns or what events set: the code has all of the scene's
 };
 
 struct Function {

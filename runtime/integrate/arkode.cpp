@@ -2,23 +2,11 @@
 #include <arkode/arkode_erkstep.h>
 
 #include "runtime/base/error.hpp"
+#include "runtime/integrate/arkode_common.hpp"
 #include "runtime/integrate/embedded_pair.hpp"
-#include "runtime/integrate/norm.hpp"
-#include "runtime/integrate/sundials.hpp"
 
 namespace kanec::integrate {
 namespace {
-
-extern "C" int kanec_arkode_project(realtype, N_Vector z, void* data) {
-  auto& callback = *static_cast<CallbackData*>(data);
-  callback.norm_error = normalise(N_VGetArrayPointer(z), callback.system.attitudes());
-  return 0;
-}
-
-bool failed_in_rates(int flag) {
-  return flag == ARK_RHSFUNC_FAIL || flag == ARK_FIRST_RHSFUNC_ERR || flag == ARK_REPTD_RHSFUNC_ERR ||
-         flag == ARK_UNREC_RHSFUNC_ERR;
-}
 
 struct ErkDeleter {
   void operator()(void* memory) const { ERKStepFree(&memory); }

@@ -7,16 +7,20 @@
 
 namespace kanec::integrate {
 
+// value + rest is the sum, to which a change is added.
+template <class Real>
+void add_compensated(Real& value, Real& rest, Real change) {
+  const Real old = value, wanted = change + rest;
+  value = old + wanted;
+  rest = (old - value) + wanted;
+}
+
 // values + rest() is the sum; values must outlive it and keep their place.
 class Compensated {
  public:
   explicit Compensated(std::vector<double>& values) : values_(values), rest_(values.size()) {}
 
-  void add(std::size_t i, double change) {
-    const double old = values_[i], wanted = change + rest_[i];
-    values_[i] = old + wanted;
-    rest_[i] = (old - values_[i]) + wanted;
-  }
+  void add(std::size_t i, double change) { add_compensated(values_[i], rest_[i], change); }
 
   // What is kept beside the values.
   std::vector<double>& rest() { return rest_; }

@@ -2,24 +2,12 @@
 #include <arkode/arkode_arkstep.h>
 
 #include "runtime/base/error.hpp"
+#include "runtime/integrate/arkode_common.hpp"
 #include "runtime/integrate/embedded_pair.hpp"
 #include "runtime/integrate/linear_solver.hpp"
-#include "runtime/integrate/norm.hpp"
-#include "runtime/integrate/sundials.hpp"
 
 namespace kanec::integrate {
 namespace {
-
-extern "C" int kanec_dirk_project(realtype, N_Vector z, void* data) {
-  auto& callback = *static_cast<CallbackData*>(data);
-  callback.norm_error = normalise(N_VGetArrayPointer(z), callback.system.attitudes());
-  return 0;
-}
-
-bool failed_in_rates(int flag) {
-  return flag == ARK_RHSFUNC_FAIL || flag == ARK_FIRST_RHSFUNC_ERR || flag == ARK_REPTD_RHSFUNC_ERR ||
-         flag == ARK_UNREC_RHSFUNC_ERR;
-}
 
 struct StepDeleter {
   void operator()(void* memory) const { ARKStepFree(&memory); }
@@ -47,7 +35,7 @@ class Dirk {
     // evaluations, and the error falls with the tolerance.
     require(ARKStepSetNonlinCRDown(ark, 1.0), "ARKStepSetNonlinCRDown", data_);
     if (linear_->has_jacobian()) require(ARKStepSetJacFn(ark, kanec_sundials_jacobian), "ARKStepSetJacFn", data_);
-    require(ARKStepSetPostprocessStepFn(ark, kanec_dirk_project), "ARKStepSetPostprocessStepFn", data_);
+    require(ARKStepSetPostprocessStepFn(ark, kanec_arkode_project), "ARKStepSetPostprocessStepFn", data_);
   }
 
   double t() const { return t_; }

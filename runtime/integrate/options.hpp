@@ -43,8 +43,8 @@ struct Options {
   double step = 1e-3;         // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
   double absolute_tolerance = 1e-12;  // the same, in the unit of each component
-  int order =
-      0;  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
+  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
+  int order = 0;
   JacobianChoice jacobian = JacobianChoice::automatic;
   std::int64_t max_steps = 100'000'000;
   std::vector<Event> events;  // watched for; by the entries of the model's function `events`

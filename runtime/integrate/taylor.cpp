@@ -7,6 +7,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/integrate/compensated.hpp"
 #include "runtime/integrate/norm.hpp"
 #include "runtime/integrate/stepper.hpp"
 
@@ -201,11 +202,7 @@ class Taylor final : public Stepper {
     return norm_error;
   }
 
-  void add(std::size_t i, Real change) {
-    const Real old = next_.c[i], wanted = change + next_.rest[i];
-    next_.c[i] = old + wanted;
-    next_.rest[i] = (old - next_.c[i]) + wanted;
-  }
+  void add(std::size_t i, Real change) { add_compensated(next_.c[i], next_.rest[i], change); }
 
   double correct_norms() {
     double worst = 0.0;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/taylor/compiled.hpp"
 
+#include "runtime/integrate/options.hpp"
+
 namespace kanec::test {
 
 std::vector<std::string> all_rates(const scene::Scene& scene) {
-  const std::string rates = "kinematics+accelerations";
-  for (const Available& function : available_functions(scene))
-    if (function.name == "power") return {rates + "+power"};
-  return {rates};
+  bool has_power = false;
+  for (const Available& function : available_functions(scene)) has_power = has_power || function.name == "power";
+  return integrate::needed_functions({}, has_power, n_coordinates(scene));
 }
 
 compile::Model compiled(const Generated& generated, const scene::Scene& scene) {
