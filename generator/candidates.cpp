@@ -23,18 +23,24 @@ constexpr int most_pairs = 600;
 constexpr int most_pairs_a_link = 8;
 // And up to which all ways are: what they save is known by then, and deriving takes its time.
 constexpr int few_pairs = 120;
+// A is eliminated up to so many triples: its entries are as many products, even where they are numbers.
+constexpr long most_triples = 1'000'000;
 
 struct Size {
   int links = 0;
-  int pairs = 0;  // of links of which one moves the other, about the blocks of A
+  int pairs = 0;     // of links of which one moves the other, about the blocks of A
+  long triples = 0;  // of links of which one moves both others, about the products of an elimination
   bool has_balls = false;
 };
 
 Size size_of(const scene::Scene& scene, const Reductions& base) {
   const symbolic::Mechanism mechanism = symbolic::mechanism(scene, base);
-  Size size{mechanism.size(), 0, mechanism.has_balls()};
-  for (int j = 1; j <= mechanism.size(); ++j)
-    for (int k = j; k > 0; k = mechanism.link(k).lower) ++size.pairs;
+  Size size{mechanism.size(), 0, 0, mechanism.has_balls()};
+  for (int j = 1; j <= mechanism.size(); ++j) {
+    long depth = 0;
+    for (int k = j; k > 0; k = mechanism.link(k).lower) size.triples += ++depth;
+    size.pairs += static_cast<int>(depth);
+  }
   return size;
 }
 
@@ -113,6 +119,7 @@ std::string words(symbolic::Derivatives derivatives) {
 Chosen cheapest_derivative(const scene::Scene& scene, const std::string& name, Way way, const Size& size) {
   Comparison comparison(scene, way.reductions, {name});
   comparison.add(way);
+  if (size.triples > most_triples) return {way, ""};
   way.derivatives = symbolic::Derivatives::equations;
   comparison.add(way);
   if (way.algorithm == Algorithm::articulated && may_be_composite(size)) {

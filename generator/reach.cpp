@@ -31,6 +31,12 @@ double speeds(const scene::Joint& joint) {
   return static_cast<double>(free) + (joint.ball && !joint.held ? 3 : 0);
 }
 
+bool may_turn(const scene::Joint& joint) {
+  return (joint.ball && !joint.held) ||
+         std::any_of(joint.turns.begin(), joint.turns.end(),
+                     [](const scene::Coordinate& c) { return c.motion != scene::Coordinate::Motion::locked; });
+}
+
 bool has_mass_matrix(const std::string& name) {
   const std::vector<std::string> of = parts(name);
   return std::find(of.begin(), of.end(), "mass_matrix") != of.end();
@@ -52,8 +58,12 @@ long mass_matrix_operations(const scene::Scene& scene) {
   double sum = 0;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     root.push_back(std::sqrt(speeds(scene.bodies[k].joint)));
-    for (int j = static_cast<int>(k) + 1; j > 0; j = scene.lower[static_cast<std::size_t>(j - 1)])
-      sum += root[k] * root[static_cast<std::size_t>(j - 1)];
+    bool turns = false;  // slides alone have a number between them
+    for (int j = static_cast<int>(k) + 1; j > 0; j = scene.lower[static_cast<std::size_t>(j - 1)]) {
+      const auto lower = static_cast<std::size_t>(j - 1);
+      turns = turns || may_turn(scene.bodies[lower].joint);
+      if (turns) sum += root[k] * root[lower];
+    }
   }
   return std::lround(22.5 * sum);
 }

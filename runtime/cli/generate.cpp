@@ -153,15 +153,9 @@ Json report_json(const scene::Scene& scene, const Generated& generated, const st
 }
 
 int dump_stage(const Options& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
-  std::optional<AtomicFile> file;
-  if (!options.output.empty()) file.emplace(options.output);
-  const std::string text = dump(scene, functions, options.stage);
-  if (file) {
-    file->write(text);
-    file->commit();
-  } else {
-    print(text);
-  }
+  AtomicFile file(options.output.empty() ? "-" : options.output);
+  file.write(dump(scene, functions, options.stage));
+  file.commit();
   return 0;
 }
 

@@ -1,12 +1,12 @@
 // kanec ledger: the operations of all functions of many scenes.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <optional>
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/kanec.hpp"
 #include "runtime/cli/ledger.hpp"
 #include "runtime/cli/progress.hpp"
 #include "runtime/cli/scene_argument.hpp"
@@ -24,7 +24,7 @@ it can have, derivatives included. Nothing is compiled. In the JSON a list of sc
 struct Options {
   std::vector<std::string> scenes;
   bool markdown = false, json = false, all = false;
-  std::string output;
+  std::string output = "-";
 };
 
 std::vector<SceneCost> costs_of(const Options& options) {
@@ -50,19 +50,13 @@ std::string command_of(const Options& options) {
 
 int ledger(const Options& options) {
   if (options.markdown && options.json) throw InputError("--json: found it beside --markdown; allowed: one of them");
-  std::optional<AtomicFile> file;
-  if (!options.output.empty()) file.emplace(options.output);
+  AtomicFile file(options.output);
   const std::vector<SceneCost> costs = costs_of(options);
-  const std::string text = options.markdown ? costs_markdown(costs, command_of(options))
-                           : options.json   ? json_text(costs_json(costs))
-                                            : costs_text(costs);
-  if (!file) {
-    print(text);
-    return 0;
-  }
-  file->write(text);
-  file->commit();
-  return 0;
+  file.write(options.markdown ? costs_markdown(costs, command_of(options))
+             : options.json   ? json_text(costs_json(costs))
+                              : costs_text(costs));
+  file.commit();
+  return success;
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Length read_length(const Table& table, Length length, const std::vector<std::str
   real("relative_tolerance", length.settings.relative_tolerance);
   real("absolute_tolerance", length.settings.absolute_tolerance);
   if (const auto found = table.find("integrator")) length.settings.integrator = found->text("an integrator");
-  if (const auto found = table.find("jacobian")) length.settings.jacobian = found->text("auto, dense, sparse, differences");
+  if (const auto found = table.find("jacobian"))
+    length.settings.jacobian = found->text("auto, dense, sparse, differences");
   if (const auto found = table.find("order")) length.settings.order = found->integer("a whole number");
   if (const auto found = table.find("keeps")) length.keeps = read_bounds(*found);
   scene::check_simulation(length.settings, [&table](const std::string& key) {

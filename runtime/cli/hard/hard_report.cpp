@@ -2,7 +2,6 @@
 #include "runtime/cli/hard/hard_report.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -58,19 +57,13 @@ std::string command_of(const HardOptions& options) {
 
 int report_hard_cases(const HardOptions& options) {
   const std::vector<fs::path> folders = folders_of(options);
-  std::optional<AtomicFile> file;
-  if (!is_standard_output(options.output)) file.emplace(options.output);
+  AtomicFile file(options.output);
   std::vector<CaseReport> reports;
   for (const fs::path& folder : folders) reports.push_back(report_of(folder, options));
-  const std::string text = options.json       ? json_text(report_json(reports))
-                           : options.markdown ? report_markdown(reports, command_of(options))
-                                              : report_text(reports);
-  if (file) {
-    file->write(text);
-    file->commit();
-  } else {
-    print(text);
-  }
+  file.write(options.json       ? json_text(report_json(reports))
+             : options.markdown ? report_markdown(reports, command_of(options))
+                                : report_text(reports));
+  file.commit();
   if (std::all_of(reports.begin(), reports.end(), holds)) return success;
   remark("not everything was kept to what it is allowed");
   return check_failed;

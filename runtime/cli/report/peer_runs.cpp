@@ -8,6 +8,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/cli/report/least_time.hpp"
 #include "runtime/cli/report/refinement.hpp"
 
 namespace kanec::cli {
@@ -88,15 +89,14 @@ class Engine {
 
   // Again while that is short, so that the least wall time counts.
   PeerMotion timed(int integrator, double fineness) {
-    constexpr int most_runs = 7;
-    constexpr double enough = 0.2;  // [s] of all runs
     PeerMotion best = once(integrator, fineness);
-    double spent = best.seconds;
-    for (int i = 1; i < most_runs && spent < enough && !best.is_late; ++i) {
+    if (best.is_late) return best;
+    repeat_while_short(best.seconds, [&] {
       PeerMotion again = once(integrator, fineness);
-      spent += again.seconds;
-      if (again.seconds < best.seconds) best = std::move(again);
-    }
+      const double seconds = again.seconds;
+      if (seconds < best.seconds && !again.is_late) best = std::move(again);
+      return seconds;
+    });
     return best;
   }
 

@@ -9,6 +9,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/cli/report/least_time.hpp"
 #include "runtime/cli/state_file.hpp"
 
 namespace kanec::cli {
@@ -86,15 +87,13 @@ double Trials::wall_seconds(const integrate::Options& options) const {
 }
 
 Trial Trials::timed(const integrate::Options& options, double limit) const {
-  constexpr int most_runs = 7;
-  constexpr double enough = 0.2;  // [s] of all runs
   Trial trial = once(options, limit);
-  double spent = trial.wall_seconds;
-  for (int i = 1; i < most_runs && spent < enough && trial.ok(); ++i) {
+  if (!trial.ok()) return trial;
+  repeat_while_short(trial.wall_seconds, [&] {
     const double seconds = wall_seconds(options);
     trial.wall_seconds = std::min(trial.wall_seconds, seconds);
-    spent += seconds;
-  }
+    return seconds;
+  });
   return trial;
 }
 
