@@ -2,7 +2,6 @@
 #include "generator/scene/read.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "generator/scene/body.hpp"
 #include "generator/scene/check.hpp"
@@ -16,6 +15,7 @@
 #include "generator/scene/read_load.hpp"
 #include "generator/scene/read_motion.hpp"
 #include "generator/scene/read_point.hpp"
+#include "generator/scene/read_simulation.hpp"
 #include "generator/scene/singular.hpp"
 #include "generator/scene/symbols.hpp"
 #include "runtime/base/error.hpp"
@@ -101,36 +101,6 @@ void read_tree(const Table& root, Symbols& symbols, Scene& scene) {
   read_events(root, magnitudes, symbols, scene);
 }
 
-Simulation read_simulation(const Table& root) {
-  Simulation out;
-  const std::optional<Node> node = root.find("simulate");
-  if (!node) return out;
-  const Table table(*node, "simulate.");
-  table.only({"duration", "output_step", "integrator", "step", "relative_tolerance", "absolute_tolerance", "jacobian",
-              "order"});
-  const auto real = [&table](const char* key, double& value) {
-    if (const auto found = table.find(key)) value = found->real("a positive number");
-  };
-  real("duration", out.duration);
-  real("output_step", out.output_step);
-  real("step", out.step);
-  real("relative_tolerance", out.relative_tolerance);
-  real("absolute_tolerance", out.absolute_tolerance);
-  const auto name = [&table](const char* key, const std::vector<std::string>& known, std::string& value) {
-    if (const auto found = table.find(key)) value = found->text(one_of(known, ""));
-  };
-  name("integrator", simulation_integrators(), out.integrator);
-  name("jacobian", simulation_jacobians(), out.jacobian);
-  if (const auto found = table.find("order")) out.order = found->integer("an order, or 0");
-  check_simulation(out, [&table](const std::string& key) {
-    const auto found = table.find(key);
-    Place place = found ? found->place() : table.place();
-    if (!found) place.field = "simulate." + key + " (default)";
-    return place;
-  });
-  return out;
-}
-
 Scene read_scene(const Table& root) {
   root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "event", "simulate",
              "ensemble"});
@@ -147,7 +117,8 @@ Scene read_scene(const Table& root) {
   AskedFunctions asked = read_functions(root);
   scene.functions = std::move(asked.names);
   scene.function_places = std::move(asked.places);
-  scene.simulation = read_simulation(root);
+  if (const auto node = root.find("simulate"))
+    scene.simulation = read_simulation(Table(*node, "simulate."), {}, "default");
   scene.ensemble = read_ensemble(root, scene);
   for (std::string& warning : symbols.warnings()) scene.warnings.push_back(std::move(warning));
   return scene;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "generator/scene/check.hpp"
 #include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
 #include "generator/scene/read.hpp"
+#include "generator/scene/read_simulation.hpp"
 #include "runtime/base/files.hpp"
 
 namespace kanec::cli::hard {
@@ -35,37 +35,22 @@ std::vector<Bound> read_bounds(const Node& node) {
   return bounds;
 }
 
-Length read_length(const Table& table, Length length, const std::vector<std::string>& more_keys) {
-  std::vector<std::string> keys = {"integrator",         "duration", "output_step", "step", "relative_tolerance",
-                                   "absolute_tolerance", "jacobian", "order",       "keeps"};
-  keys.insert(keys.end(), more_keys.begin(), more_keys.end());
-  table.only(keys);
-  const auto real = [&table](const char* key, double& value) {
-    if (const auto found = table.find(key)) value = found->real("a positive number");
-  };
-  real("duration", length.settings.duration);
-  real("output_step", length.settings.output_step);
-  real("step", length.settings.step);
-  real("relative_tolerance", length.settings.relative_tolerance);
-  real("absolute_tolerance", length.settings.absolute_tolerance);
-  if (const auto found = table.find("integrator")) length.settings.integrator = found->text("an integrator");
-  if (const auto found = table.find("jacobian"))
-    length.settings.jacobian = found->text("auto, dense, sparse, differences");
-  if (const auto found = table.find("order")) length.settings.order = found->integer("a whole number");
+Length read_length(const Table& table, const Length& usual, const std::string& origin,
+                   std::vector<std::string> more_keys) {
+  more_keys.push_back("keeps");
+  Length length = usual;
+  length.settings = scene::read_simulation(table, usual.settings, origin, more_keys);
   if (const auto found = table.find("keeps")) length.keeps = read_bounds(*found);
-  scene::check_simulation(length.settings, [&table](const std::string& key) {
-    const auto found = table.find(key);
-    return found ? found->place() : table.place();
-  });
   return length;
 }
 
 Run read_run(const Node& node, const scene::Simulation& usual) {
   const Table table(node, "run.");
   Run run;
-  run.full = read_length(table, {usual, {}}, {"short"});
+  run.full = read_length(table, {usual, {}}, "of scene.toml", {"short"});
   run.brief = run.full;
-  if (const auto brief = table.find("short")) run.brief = read_length(Table(*brief, "run.short."), run.full, {});
+  if (const auto brief = table.find("short"))
+    run.brief = read_length(Table(*brief, "run.short."), run.full, "of the run", {});
   return run;
 }
 
