@@ -9,6 +9,7 @@
 #include "runtime/cli/bench/batch_run.hpp"
 #include "runtime/cli/bench/variants.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/report/float_error.hpp"
 #include "runtime/cli/report/generic_result.hpp"
 #include "runtime/cli/ulps.hpp"
 

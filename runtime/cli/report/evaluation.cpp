@@ -16,6 +16,7 @@
 #include "runtime/base/median.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/paths.hpp"
+#include "runtime/cli/report/float_error.hpp"
 #include "runtime/cli/report/generic_result.hpp"
 #include "runtime/cli/report/ulp_errors.hpp"
 #include "runtime/cli/report/ways.hpp"
@@ -27,14 +28,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class Real>
-program::Arguments<Real> arguments(const State& state) {
-  const auto as = [](const std::vector<double>& values) {
-    std::vector<Real> list;
-    for (const double value : values) list.push_back(static_cast<Real>(value));
-    return list;
-  };
-  return {as(state.parameters), as(state.x), as(state.y), as(state.ydot), as(state.inputs), static_cast<Real>(state.t)};
+program::Arguments<double> arguments(const State& state) {
+  return {state.parameters, state.x, state.y, state.ydot, state.inputs, state.t};
 }
 
 // Of results in 50 digits.
@@ -140,13 +135,13 @@ class Measuring {
         for (StateErrors* errors : {&in_double, &single, &from_generic}) errors->add(std::nullopt);
         continue;
       }
-      const std::vector<double> found = program::evaluate(program, function, arguments<double>(state));
+      const std::vector<double> found = program::evaluate(program, function, arguments(state));
       const std::vector<Precise> exact = precise(program, function.name, state);
       in_double.add(StateError{difference(found, exact), largest(exact)});
       from_generic.add(error_from_generic(parts, places[i], found));
       single.add(error_in_float(program, function, state));
       if (i < random_.size())
-        expectations.push_back(expected_rounding(program, function, arguments<double>(state), most_outputs).ulps());
+        expectations.push_back(expected_rounding(program, function, arguments(state), most_outputs).ulps());
     }
     return {way.name,
             way.name == "kept" ? description(way.way, name) : "",
@@ -164,14 +159,6 @@ class Measuring {
     if (!std::all_of(found.begin(), found.end(), is_finite)) return {infinity, size};
     const std::vector<Precise> wide(found.begin(), found.end());
     return {distance(comparable(scene_, parts, place.state.x, wide), *place.generic), size};
-  }
-
-  static StateError error_in_float(const program::Program& program, const program::Function& function,
-                                   const State& state) {
-    const State rounded = in_float(state);
-    const std::vector<float> found = program::evaluate(program, function, arguments<float>(rounded));
-    const std::vector<Precise> exact = precise(program, function.name, rounded);
-    return {difference({found.begin(), found.end()}, exact), largest(exact)};
   }
 
   static constexpr std::size_t most_outputs = 24;  // whose expected errors are looked at

@@ -31,12 +31,4 @@ std::optional<std::vector<Real>> generic_result(const scene::Scene& scene, const
   }
 }
 
-// The same numbers as float has them.
-inline State in_float(State state) {
-  for (auto* values : {&state.parameters, &state.x, &state.y, &state.ydot, &state.inputs})
-    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
-  state.t = static_cast<double>(static_cast<float>(state.t));
-  return state;
-}
-
 }  // namespace kanec::cli
