@@ -60,6 +60,9 @@ TEST_F(Reading, what_has_no_meaning_is_refused_with_its_line) {
   refuses(head + "[[run]]\nduration = -1\n", "hard.toml:4: run.duration: ");
   refuses(head + "[[run]]\nintegrator = \"euler\"\n", "hard.toml:4: run.integrator: ");
   refuses(head + "[[run]]\nkeeps = { energy = 0 }\n", "hard.toml:4: ");
+  refuses(head + "[[run]]\n[run.short]\nkeep = 0\n", "hard.toml:5: run.short.keep: found an unknown key");
+  refuses(head + "[[run]]\nduration = 1e7\n", "run[1].output_step (of scene.toml): found 0.01, which makes 1e+09 rows");
+  refuses(head + "[[run]]\n[run.short]\nduration = 1e7\n", "run.short.output_step (of the run): found 0.01");
   refuses(head + "[[run\n", "hard.toml:3");
 }
 
@@ -68,6 +71,16 @@ class Running : public Reading {
   Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
   Variable flags_{"KANEC_CXXFLAGS", "-O0"};
 };
+
+TEST_F(Running, a_short_run_may_have_an_integrator_of_its_own) {
+  const std::string run =
+      "[[run]]\nintegrator = \"rk4\"\nstep = 0.1\nduration = 1\nkeeps = { energy = 1 }\n[run.short]\n";
+  const HardCase hard = read(head + run + "integrator = \"taylor\"\n" + run + "integrator = \"cvode_bdf\"\n",
+                             "mass = 1.0\ninertia = [1.0, 2.0, 3.0]\n[body.initial]\nomega = [1.0, 1.0, 1.0]\n");
+  const CompiledModel model = compiled(hard);
+  for (const auto& one : hard.runs)
+    for (const Length& length : {one.full, one.brief}) EXPECT_TRUE(outcome(hard, length, model).holds());
+}
 
 TEST_F(Running, a_bound_on_what_the_case_does_not_have_is_refused) {
   const HardCase hard = read(head + "[[run]]\nduration = 0.1\nkeeps = { attitude = 1 }\n");

@@ -9,6 +9,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/hard/hard_report.hpp"
+#include "runtime/cli/hard/hard_text.hpp"
 #include "tests/base/environment.hpp"
 #include "tests/base/folder.hpp"
 
@@ -70,13 +71,19 @@ TEST_F(HardReport, of_one_case_succeeds_where_all_is_kept) {
 TEST_F(HardReport, as_page_and_for_machines_says_the_same) {
   HardOptions options{{folder()}};
   options.markdown = true;
-  EXPECT_THAT(told(options, 1), HasSubstr("| [kept](../models/hard/kept): a body | rk4, step 0.1 s | 9 s | 90 |"));
+  EXPECT_THAT(told(options, 1), HasSubstr("| [kept](cases/kept): a body | rk4, step 0.1 s | 9 s | 90 |"));
   options.markdown = false;
   options.json = true;
   const nlohmann::json cases = nlohmann::json::parse(told(options, 1));
   ASSERT_EQ(cases.size(), 2u);
   EXPECT_EQ(cases[0].at("runs")[0].at("holds"), true);
   EXPECT_EQ(cases[1].at("runs")[0].at("kept")[0].at("holds"), false);
+}
+
+TEST_F(HardReport, as_page_links_to_its_cases_from_where_it_stands) {
+  const std::vector<CaseReport> reports = {{folder("kept"), read_hard_case(folder("kept")), {Outcome{}}}};
+  EXPECT_THAT(report_markdown(reports, "", folder("kept")), HasSubstr("| [kept](.): a body |"));
+  EXPECT_THAT(report_markdown(reports, "", folder("lost")), HasSubstr("| [kept](../kept): a body |"));
 }
 
 TEST_F(HardReport, refuses_a_folder_without_cases) {

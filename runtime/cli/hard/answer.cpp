@@ -12,7 +12,7 @@ std::unique_ptr<Answer> answer(const std::string& name, const scene::Scene& scen
   static const std::map<std::string, std::unique_ptr<Answer> (*)(const scene::Scene&)> answers = {
       {"torque_free", torque_free}, {"heavy_top", heavy_top},         {"kovalevskaya", kovalevskaya},
       {"kepler", kepler},           {"uniform_chain", uniform_chain}, {"bounce", bounce},
-      {"switched", switched},       {"reference", reference},         {"precise", precise_reference}};
+      {"switched", switched},       {"reference", reference_answer},  {"precise", precise_answer}};
   const auto found = answers.find(name);
   if (found != answers.end()) return found->second(scene);
   std::vector<std::string> known;

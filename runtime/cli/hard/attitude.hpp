@@ -1,11 +1,9 @@
-// Attitudes of rows in long double, and the angle between two. Not: how a run gets there.
+// Attitudes of rows in long double. Not: the angle between two (runtime/cli/attitude_angle.hpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "runtime/cli/hard/elliptic.hpp"
@@ -25,12 +23,6 @@ inline Vector vector(std::span<const double> values, int at) {
 inline Matrix attitude(std::span<const double> x, int at) {
   const auto i = static_cast<std::size_t>(at);
   return Eigen::Quaternion<Real>(x[i + 3], x[i], x[i + 1], x[i + 2]).normalized().toRotationMatrix();
-}
-
-// Of the rotation that takes one attitude to the other [rad]; small angles to full precision.
-inline Real angle(const Matrix& a, const Matrix& b) {
-  const Real chord = (a - b).norm() / std::sqrt(Real(8));
-  return 2 * std::asin(std::min(chord, Real(1)));
 }
 
 }  // namespace kanec::cli::hard

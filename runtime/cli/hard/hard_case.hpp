@@ -23,7 +23,7 @@
 namespace kanec::cli::hard {
 
 // The most that something may be off: energy, energy_drift (its linear part), angular_momentum, relative;
-// linear_momentum beside √(2 m T); norm, | |ε| − 1 |; or an error of the answer by its name.
+// linear_momentum beside √(2 m T); norm, | |ε| − 1 |; or a deviation from the answer by its name.
 struct Bound {
   std::string what;
   double most = 0.0;

@@ -29,7 +29,7 @@ std::vector<fs::path> folders_of(const HardOptions& options) {
 }
 
 CaseReport report_of(const fs::path& folder, const HardOptions& options) {
-  CaseReport report{read_hard_case(folder), {}};
+  CaseReport report{folder, read_hard_case(folder), {}};
   const CompiledModel model = compiled(report.hard, options.build);
   const Interrupts interrupts;
   for (const Run& run : report.hard.runs) {
@@ -53,6 +53,11 @@ std::string command_of(const HardOptions& options) {
   return command + (options.brief ? " --short" : "") + " --markdown";
 }
 
+// The folder of a page; the working one where it goes to standard output.
+fs::path place_of(const std::string& output) {
+  return output == "-" || output == "/dev/stdout" ? fs::current_path() : fs::absolute(output).parent_path();
+}
+
 }  // namespace
 
 int report_hard_cases(const HardOptions& options) {
@@ -61,7 +66,7 @@ int report_hard_cases(const HardOptions& options) {
   std::vector<CaseReport> reports;
   for (const fs::path& folder : folders) reports.push_back(report_of(folder, options));
   file.write(options.json       ? json_text(report_json(reports))
-             : options.markdown ? report_markdown(reports, command_of(options))
+             : options.markdown ? report_markdown(reports, command_of(options), place_of(options.output))
                                 : report_text(reports));
   file.commit();
   if (std::all_of(reports.begin(), reports.end(), holds)) return success;

@@ -60,15 +60,16 @@ std::string report_text(const std::vector<CaseReport>& cases) {
   return text_table(rows, "lllrrrrl");
 }
 
-std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command) {
+std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command,
+                            const std::filesystem::path& place) {
   std::string text = "# Hard cases\n\nWritten by `" + command + R"(`.
 
-Each is a scene under models/hard with its known answer and source. Of every run stands what it kept at its worst, and in
-brackets what it is allowed: energy, momenta and invariants relative, attitudes in rad, positions relative or in m as the
-answer has them. *time* is of the run with its answer beside it, which takes longer where that is a run in higher
-precision itself (double_pendulum, needles). *ulps*: the median error of the accelerations over states of the run, from
-the generic path in long double, beside that of the generic path in double. *float*: the same of the program in single
-precision, relative; "no" where it leaves fewer than three digits.
+Each is a folder with a scene, its known answer and source. Of every run stands what it kept at its worst, and in
+brackets what it is allowed: energy, momenta and invariants relative, attitudes in rad, positions relative or in m as
+the answer has them. *time* is of the run with its answer beside it, which takes longer where that is a run in higher
+precision itself (answers `reference` and `precise`). *ulps*: the median error of the accelerations over states of the
+run, from the generic path in long double, beside that of the generic path in double. *float*: the same of the program
+in single precision, relative; "no" where it leaves fewer than three digits.
 
 )";
   const auto line = [&text](const TextRow& cells) {
@@ -77,12 +78,14 @@ precision, relative; "no" where it leaves fewer than three digits.
   };
   line(head);
   text += "|---|---|--:|--:|--:|--:|--:|---|\n";
-  for (const CaseReport& one : cases)
+  for (const CaseReport& one : cases) {
+    const std::string link = std::filesystem::relative(one.folder, place).generic_string();
     for (const Outcome& outcome : one.outcomes) {
       TextRow cells = row(one.hard, outcome);
-      cells[0] = fmt::format("[{0}](../models/hard/{0}): {1}", one.hard.name, one.hard.title);
+      cells[0] = fmt::format("[{}]({}): {}", one.hard.name, link, one.hard.title);
       line(cells);
     }
+  }
   return text;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,15 @@
 namespace kanec::cli::hard {
 
 struct CaseReport {
+  std::filesystem::path folder;  // where it was read
   HardCase hard;
   std::vector<Outcome> outcomes;  // one a run
 };
 
 std::string report_text(const std::vector<CaseReport>& cases);
-// A page; `command` is what writes it again.
-std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command);
+// A page; `command` is what writes it again, its links are relative to the folder `place`.
+std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command,
+                            const std::filesystem::path& place);
 Json report_json(const std::vector<CaseReport>& cases);
 
 }  // namespace kanec::cli::hard

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
-#include "runtime/base/error.hpp"
+#include "runtime/cli/attitude_angle.hpp"
 #include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/hard/attitude.hpp"
+#include "runtime/cli/hard/requirements.hpp"
 #include "runtime/generic/system.hpp"
 
 namespace kanec::cli::hard {
 namespace {
 
-// u = cos θ between two roots of u̇² = β (u − u1) (u − u2) (u − u3), by sn²; precession and spin by quadrature. The
-// start is at a root, which divides the cubic: the others are those of a quadratic, with all digits where two of them
-// meet.
+// The height u = cos θ of the axis between two roots of u̇² = weight (u − u1) (u − u2) (u − u3), by sn²; precession and
+// spin by quadrature. The start is at a root, which divides the cubic: the others are those of a quadratic, with all
+// digits where two of them meet.
 class HeavyTop final : public Answer {
  public:
   explicit HeavyTop(const scene::Scene& scene) : at_(scene::Layout(scene).bodies.at(0)) {
@@ -19,12 +22,13 @@ class HeavyTop final : public Answer {
     const generic::Body<Real>& body = system.body(1);
     const Vector g = system.gravity();
     const bool is_top = scene::size(scene) == 1 && at_.omega >= 0 && at_.s.empty() && body.I(0, 0) == body.I(1, 1) &&
-                        body.r[0] == 0 && body.r[1] == 0 && g[0] == 0 && g[1] == 0 && g[2] < 0;
+                        body.r[0] == 0 && body.r[1] == 0 && body.r[2] > 0 && g[0] == 0 && g[1] == 0 && g[2] < 0;
     if (!is_top)
-      throw InputError("heavy_top: found another scene; allowed: a symmetric top about its z axis, on a ball");
-    A_ = body.I(0, 0) + body.m * body.r[2] * body.r[2];
-    C_ = body.I(2, 2);
-    mgl_ = -body.m * g[2] * body.r[2];
+      refuse_scene("heavy_top",
+                   "a symmetric top about its z axis, on a ball, mass centre at positive z; weight along -z");
+    const Real across = body.I(0, 0) + body.m * body.r[2] * body.r[2];
+    moment_along_ = body.I(2, 2) / across;
+    weight_ = -2 * body.m * g[2] * body.r[2] / across;
   }
 
   void compare(const integrate::Row& row) override {
@@ -33,45 +37,60 @@ class HeavyTop final : public Answer {
     if (!closed_form_) begin(omega, found);
     turn_to(row.t);
     const Matrix expected = turned(row.t);
-    attitude_ = std::max(attitude_, angle(found, expected));
-    axis_ = std::max(axis_, 2 * std::asin((found.col(2) - expected.col(2)).norm() / 2));
+    attitude_.add(attitude_angle(found, expected));
+    const Vector axis = found.col(2), expected_axis = expected.col(2);
+    axis_.add(std::atan2(axis.cross(expected_axis).norm(), axis.dot(expected_axis)));
   }
 
-  std::vector<Error> errors() const override {
-    return {{"attitude", "rad", static_cast<double>(attitude_)}, {"axis", "rad", static_cast<double>(axis_)}};
-  }
+  std::vector<Deviation> deviations() const override { return {attitude_, axis_}; }
 
  private:
   void begin(const Vector& omega, const Matrix& start) {
     const Vector up = start.row(2);
-    u0_ = up[2];
-    omega3_ = omega[2];
+    spin_ = omega[2];
     if (std::fabs(up[0] * omega[1] - up[1] * omega[0]) > 1e-12L * omega.norm())
-      throw InputError("heavy_top: found a start between two tilts; allowed: a turning point");
-    a_ = C_ * omega3_ / A_;
-    b_ = omega[0] * up[0] + omega[1] * up[1] + a_ * up[2];
-    const Real alpha = omega[0] * omega[0] + omega[1] * omega[1] + 2 * mgl_ / A_ * u0_, beta = 2 * mgl_ / A_;
-    const Real p = beta * u0_ - (alpha + a_ * a_), q = p * u0_ + (2 * a_ * b_ - beta);
-    const Real far = (-p + std::sqrt(p * p - 4 * beta * q)) / (2 * beta);  // p < 0
-    other_ = q / (beta * far);
-    closed_form_.emplace((far - std::max(u0_, other_)) / (far - std::min(u0_, other_)));
-    rate_ = std::sqrt(beta * (far - std::min(u0_, other_))) / 2;
+      refuse("heavy_top", "a start between two tilts", "a turning point");
+    along_axis_ = moment_along_ * spin_;
+    along_vertical_ = omega[0] * up[0] + omega[1] * up[1] + along_axis_ * up[2];
+    const Real third = other_roots(up[2], omega);
+    if (passes_vertical())
+      refuse("heavy_top", "a start from which the axis becomes vertical", "one whose axis stays off it");
+    closed_form_.emplace((third - high()) / (third - low()));
+    rate_ = std::sqrt(weight_ * (third - low())) / 2;
     phi_ = std::atan2(start(0, 2), -start(1, 2));
     psi_ = std::atan2(start(2, 0), start(2, 1));
   }
 
-  // From the start's root to the other one and back.
-  Real tilt(Real t) const {
-    const Jacobi f = (*closed_form_)(rate_ * t + (other_ < u0_ ? closed_form_->quarter_period() : 0));
-    const Real low = std::min(u0_, other_), high = std::max(u0_, other_);
-    return low + (high - low) * f.sn * f.sn;
+  // weight u² + linear u + constant = 0: the nearer one is the other end of the nutation, the farther one is returned.
+  Real other_roots(Real start, const Vector& omega) {
+    const Real linear = -(omega[0] * omega[0] + omega[1] * omega[1] + along_axis_ * along_axis_);
+    const Real constant = linear * start + (2 * along_axis_ * along_vertical_ - weight_);
+    const Real third = (-linear + std::sqrt(linear * linear - 4 * weight_ * constant)) / (2 * weight_);
+    start_ = start;
+    other_ = constant / (weight_ * third);
+    return third;
   }
 
-  Real precession(Real u) const { return (b_ - a_ * u) / ((1 - u) * (1 + u)); }
+  Real low() const { return std::min(start_, other_); }
+  Real high() const { return std::max(start_, other_); }
+
+  // Or comes so near to it, beside the width of the nutation, that the quadrature does not follow.
+  bool passes_vertical() const {
+    const Real near = 1e-4L * (high() - low());
+    return !(1 - high() > near && 1 + low() > near);
+  }
+
+  // From the start's root to the other one and back.
+  Real tilt(Real t) const {
+    const Jacobi f = (*closed_form_)(rate_ * t + (other_ < start_ ? closed_form_->quarter_period() : 0));
+    return low() + (high() - low()) * f.sn * f.sn;
+  }
+
+  Real precession(Real u) const { return (along_vertical_ - along_axis_ * u) / ((1 - u) * (1 + u)); }
 
   void turn_to(Real t) {
     phi_ += integral([&](Real at) { return precession(tilt(at)); }, t_, t, panel / rate_);
-    psi_ += integral([&](Real at) { return omega3_ - precession(tilt(at)) * tilt(at); }, t_, t, panel / rate_);
+    psi_ += integral([&](Real at) { return spin_ - precession(tilt(at)) * tilt(at); }, t_, t, panel / rate_);
     t_ = t;
   }
 
@@ -86,11 +105,14 @@ class HeavyTop final : public Answer {
   static constexpr Real panel = 0.1L;  // of the argument of sn: precession is quick where the axis is near the vertical
 
   scene::BodyLayout at_;
-  Real A_ = 0, C_ = 0, mgl_ = 0;  // moments about the point and the axis; weight times its lever
-  Real u0_ = 1, other_ = 1, omega3_ = 0, a_ = 0, b_ = 0;
+  // all beside the moment across the axis
+  Real moment_along_ = 0, weight_ = 0;        // twice the weight times its lever [1/s²]
+  Real start_ = 1, other_ = 1;                // the roots
+  Real spin_ = 0;                             // ω along the axis [rad/s]
+  Real along_axis_ = 0, along_vertical_ = 0;  // angular momenta [rad/s]
   std::optional<Elliptic> closed_form_;
   Real rate_ = 0, t_ = 0, phi_ = 0, psi_ = 0;
-  Real attitude_ = 0, axis_ = 0;
+  Deviation attitude_{"attitude", "rad"}, axis_{"axis", "rad"};
 };
 
 }  // namespace

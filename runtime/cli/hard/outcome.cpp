@@ -68,31 +68,38 @@ double of_momentum(const HardCase& hard, const integrate::Summary& summary) {
   return summary.linear_momentum->worst.value / std::sqrt(2 * mass * kinetic);
 }
 
-std::vector<Error> physical(const HardCase& hard, const integrate::Summary& summary, const Drift& drift,
-                            double duration) {
-  std::vector<Error> errors;
+std::vector<Deviation> physical(const HardCase& hard, const integrate::Summary& summary, const Drift& drift,
+                                double duration) {
+  std::vector<Deviation> list;
   if (summary.energy) {
     const double scale = summary.energy->worst.scale;
-    errors.push_back({"energy", "", summary.energy->worst.relative()});
-    errors.push_back({"energy_drift", "", scale > 0 ? drift.total(duration) / scale : 0.0});
+    list.push_back({"energy", "", summary.energy->worst.relative()});
+    list.push_back({"energy_drift", "", scale > 0 ? drift.total(duration) / scale : 0.0});
   }
-  if (summary.linear_momentum) errors.push_back({"linear_momentum", "", of_momentum(hard, summary)});
-  if (summary.angular_momentum) errors.push_back({"angular_momentum", "", summary.angular_momentum->worst.relative()});
-  errors.push_back({"norm", "", summary.worst_norm_error_after});
-  return errors;
+  if (summary.linear_momentum) list.push_back({"linear_momentum", "", of_momentum(hard, summary)});
+  if (summary.angular_momentum) list.push_back({"angular_momentum", "", summary.angular_momentum->worst.relative()});
+  list.push_back({"norm", "", summary.worst_norm_error_after});
+  return list;
 }
 
-std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::vector<Error>& errors) {
+std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::vector<Deviation>& deviations) {
   std::vector<Kept> list;
   std::vector<std::string> known;
-  for (const Error& error : errors) known.push_back(error.what);
+  for (const Deviation& one : deviations) known.push_back(one.what);
   for (const Bound& bound : length.keeps) {
-    const auto same = std::find_if(errors.begin(), errors.end(), [&](const Error& e) { return e.what == bound.what; });
-    if (same == errors.end())
+    const auto same = std::find_if(deviations.begin(), deviations.end(),
+                                   [&](const Deviation& one) { return one.what == bound.what; });
+    if (same == deviations.end())
       scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what),
                   scene::one_of(known, bound.what));
     list.push_back({same->what, same->unit, same->value, bound.most});
   }
+  return list;
+}
+
+std::vector<Length> lengths(const HardCase& hard) {
+  std::vector<Length> list;
+  for (const Run& run : hard.runs) list.insert(list.end(), {run.full, run.brief});
   return list;
 }
 
@@ -105,8 +112,8 @@ bool Outcome::holds() const {
 CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments) {
   std::vector<std::string> functions = {"accelerations", "energy", "momentum"};
   bool with_series = false;
-  for (const Run& run : hard.runs) {
-    integrate::Options options = integration_options(hard.scene, run.full.settings);
+  for (const Length& length : lengths(hard)) {
+    integrate::Options options = integration_options(hard.scene, length.settings);
     for (std::string& name : functions_to_integrate(hard.scene, options))
       if (std::find(functions.begin(), functions.end(), name) == functions.end()) functions.push_back(std::move(name));
     with_series |= integrate::needs_series(options.method);
@@ -134,10 +141,10 @@ Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel&
     result.failure = error.what();
     return result;
   }
-  std::vector<Error> errors = physical(hard, result.summary, drift, result.options.duration);
+  std::vector<Deviation> deviations = physical(hard, result.summary, drift, result.options.duration);
   if (known)
-    for (Error& error : known->errors()) errors.push_back(std::move(error));
-  result.kept = kept(hard, length, errors);
+    for (Deviation& one : known->deviations()) deviations.push_back(std::move(one));
+  result.kept = kept(hard, length, deviations);
   result.accelerations = rounding(model, hard.scene, samples.states());
   return result;
 }

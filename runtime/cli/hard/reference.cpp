@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/candidates.hpp"
 #include "generator/program/evaluate.hpp"
+#include "runtime/cli/attitude_angle.hpp"
 #include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/hard/attitude.hpp"
 #include "runtime/cli/hard/extrapolation.hpp"
@@ -18,11 +19,11 @@ double distance(long double a, double b) { return static_cast<double>(std::fabs(
 // Rows beside a run in T: the worst angle of a ball or a turn, the worst translation, the worst speed beside the
 // largest that the run has.
 template <class T>
-class Reference final : public Answer {
+class ReferenceAnswer final : public Answer {
  public:
   using Run = Extrapolation<T>;
 
-  Reference(const scene::Scene& scene, typename Run::Rates rates, const typename Run::Accuracy& accuracy)
+  ReferenceAnswer(const scene::Scene& scene, typename Run::Rates rates, const typename Run::Accuracy& accuracy)
       : layout_(scene), run_(std::move(rates), start(scene), accuracy) {}
 
   void compare(const integrate::Row& row) override {
@@ -30,26 +31,22 @@ class Reference final : public Answer {
     const auto nx = static_cast<std::size_t>(layout_.nx);
     std::vector<double> x;
     for (std::size_t i = 0; i < nx; ++i) x.push_back(nearest(z[i]));
-    const auto add = [&](const std::vector<int>& places, double& worst) {
+    const auto add = [&](const std::vector<int>& places, Deviation& deviation) {
       for (const int i : places)
-        if (i >= 0)
-          worst = std::max(worst, distance(z[static_cast<std::size_t>(i)], row.x[static_cast<std::size_t>(i)]));
+        if (i >= 0) deviation.add(distance(z[static_cast<std::size_t>(i)], row.x[static_cast<std::size_t>(i)]));
     };
     for (const scene::BodyLayout& body : layout_.bodies) {
       add(body.theta, angle_);
       add(body.s, position_);
-      if (body.eps >= 0)
-        angle_ = std::max(angle_, static_cast<double>(angle(attitude(x, body.eps), attitude(row.x, body.eps))));
+      if (body.eps >= 0) angle_.add(attitude_angle(attitude(x, body.eps), attitude(row.x, body.eps)));
     }
     for (std::size_t i = 0; i < row.y.size(); ++i) {
-      speed_ = std::max(speed_, distance(z[nx + i], row.y[i]));
+      speed_.add(distance(z[nx + i], row.y[i]));
       size_ = std::max(size_, std::fabs(nearest(z[nx + i])));
     }
   }
 
-  std::vector<Error> errors() const override {
-    return {{"attitude", "rad", angle_}, {"position", "m", position_}, {"speed", "", size_ > 0 ? speed_ / size_ : 0.0}};
-  }
+  std::vector<Deviation> deviations() const override { return {angle_, position_, speed_.beside(size_)}; }
 
  private:
   static std::vector<T> start(const scene::Scene& scene) {
@@ -61,12 +58,13 @@ class Reference final : public Answer {
 
   scene::Layout layout_;
   Run run_;
-  double angle_ = 0.0, position_ = 0.0, speed_ = 0.0, size_ = 0.0;
+  Deviation angle_{"attitude", "rad"}, position_{"position", "m"}, speed_{"speed", ""};
+  double size_ = 0.0;
 };
 
 }  // namespace
 
-std::unique_ptr<Answer> reference(const scene::Scene& scene) {
+std::unique_ptr<Answer> reference_answer(const scene::Scene& scene) {
   const auto system = std::make_shared<generic::System<Real>>(scene, scene::default_parameters(scene));
   const std::vector<double> inputs = scene::default_inputs(scene);
   const std::vector<Real> u(inputs.begin(), inputs.end());
@@ -79,10 +77,10 @@ std::unique_ptr<Answer> reference(const scene::Scene& scene) {
     rate.insert(rate.end(), ydot.begin(), ydot.end());
     return rate;
   };
-  return std::make_unique<Reference<Real>>(scene, rates, Extrapolation<Real>::Accuracy{8, 1e-15, 19});
+  return std::make_unique<ReferenceAnswer<Real>>(scene, rates, Extrapolation<Real>::Accuracy{8, 1e-15, 19});
 }
 
-std::unique_ptr<Answer> precise_reference(const scene::Scene& scene) {
+std::unique_ptr<Answer> precise_answer(const scene::Scene& scene) {
   const auto program = std::make_shared<program::Program>(cheapest_program(scene, {"kinematics+accelerations"}));
   const auto precise = [](const std::vector<double>& values) {
     return std::vector<Precise>(values.begin(), values.end());
@@ -96,7 +94,7 @@ std::unique_ptr<Answer> precise_reference(const scene::Scene& scene) {
     at.y.assign(z.begin() + nx, z.end());
     return program::evaluate(*program, program->functions.front(), at);
   };
-  return std::make_unique<Reference<Precise>>(scene, rates, Extrapolation<Precise>::Accuracy{12, 1e-26, 50});
+  return std::make_unique<ReferenceAnswer<Precise>>(scene, rates, Extrapolation<Precise>::Accuracy{12, 1e-26, 50});
 }
 
 }  // namespace kanec::cli::hard

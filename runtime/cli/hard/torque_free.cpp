@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <array>
 #include <optional>
 
-#include "runtime/base/error.hpp"
+#include "runtime/cli/attitude_angle.hpp"
 #include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/hard/attitude.hpp"
+#include "runtime/cli/hard/requirements.hpp"
 #include "runtime/generic/system.hpp"
 
 namespace kanec::cli::hard {
@@ -18,7 +20,7 @@ class TorqueFree final : public Answer {
     const generic::System<Real> system(scene, scene::default_parameters(scene));
     const Matrix I = system.body(1).I;
     if (scene::size(scene) != 1 || at_.omega < 0 || !(I - Matrix(I.diagonal().asDiagonal())).isZero(0))
-      throw InputError("torque_free: found another scene; allowed: one free or ball body with principal axes");
+      refuse_scene("torque_free", "one free or ball body with principal axes");
     moments_ = I.diagonal();
   }
 
@@ -28,18 +30,16 @@ class TorqueFree final : public Answer {
     if (!closed_form_) begin(omega, found);
     turn_to(row.t);
     const Vector expected = speeds(row.t);
-    attitude_ = std::max(attitude_, angle(found, inertial_ * body_axes(expected).transpose()));
-    speed_ = std::max(speed_, (omega - expected).norm() / size_);
+    attitude_.add(attitude_angle(found, inertial_ * body_axes(expected).transpose()));
+    speed_.add((omega - expected).norm() / size_);
   }
 
-  std::vector<Error> errors() const override {
-    return {{"attitude", "rad", static_cast<double>(attitude_)}, {"speed", "", static_cast<double>(speed_)}};
-  }
+  std::vector<Deviation> deviations() const override { return {attitude_, speed_}; }
 
  private:
   Real& moment(int i) { return moments_[axis_[static_cast<std::size_t>(i)]]; }
 
-  // 2 E I_j − H² = Σ I_i (I_j − I_i) ω_i², without cancellation.
+  // 2 T I_j − |I ω|² = Σ I_i (I_j − I_i) ω_i², without cancellation.
   Real excess(int j, const Vector& omega) {
     Real sum = 0;
     for (int i = 0; i < 3; ++i) {
@@ -55,15 +55,19 @@ class TorqueFree final : public Answer {
     if (excess(1, omega) > 0) std::swap(axis_[0], axis_[2]);
     const Real I1 = moment(0), I2 = moment(1), I3 = moment(2);
     const Real by_3 = excess(2, omega), by_1 = -excess(0, omega), by_2 = -excess(1, omega);
+    const Real complement = (I3 - I1) * by_2 / ((I3 - I2) * by_1);
+    if (!(complement > 0) || by_3 == 0)
+      refuse("torque_free", "a start at rest, in a steady turn or on the separatrix",
+             "one from which ω goes around an axis");
     rate_ = std::sqrt((I3 - I2) * by_1 / (I1 * I2 * I3));
-    closed_form_.emplace((I3 - I1) * by_2 / ((I3 - I2) * by_1));
+    closed_form_.emplace(complement);
     const bool is_right_handed = (axis_[1] - axis_[0] + 3) % 3 == 1;
     const Real side = std::copysign(Real(1), omega[axis_[2]]);
     const Real sense = is_right_handed == (I3 > I2) ? side : -side;
     amplitude_ = {sense * std::sqrt(by_3 / (I1 * (I3 - I1))), std::sqrt(by_3 / (I2 * (I3 - I2))),
                   side * std::sqrt(by_1 / (I3 * (I3 - I1)))};
     phase_ = closed_form_->argument(omega[axis_[1]] / amplitude_[1], omega[axis_[0]] / amplitude_[0]);
-    H_ = moments_.cwiseProduct(omega).norm();
+    momentum_ = moments_.cwiseProduct(omega).norm();
     size_ = omega.norm();
     inertial_ = start * body_axes(omega);
   }
@@ -87,17 +91,17 @@ class TorqueFree final : public Answer {
     return axes;
   }
 
-  // ψ̇ = H (I1 ω1² + I2 ω2²) / (I1² ω1² + I2² ω2²); inertial_ turns about its first column.
+  // ψ̇ = |I ω| (I1 ω1² + I2 ω2²) / (I1² ω1² + I2² ω2²); inertial_ turns about its first column.
   void turn_to(Real t) {
     const auto rate = [&](Real at) {
       const Vector omega = speeds(at);
       Real above = 0, below = 0;
       for (int i = 0; i < 2; ++i) {
-        const Real L = moment(i) * omega[axis_[static_cast<std::size_t>(i)]];
-        above += L * L / moment(i);
-        below += L * L;
+        const Real part = moment(i) * omega[axis_[static_cast<std::size_t>(i)]];
+        above += part * part / moment(i);
+        below += part * part;
       }
-      return H_ * above / below;
+      return momentum_ * above / below;
     };
     const Real psi = integral(rate, t_, t, panel / rate_);
     inertial_ = Eigen::AngleAxis<Real>(psi, inertial_.col(0).normalized()) * inertial_;
@@ -111,9 +115,9 @@ class TorqueFree final : public Answer {
   std::array<int, 3> axis_{};
   std::optional<Elliptic> closed_form_;
   std::array<Real, 3> amplitude_{};
-  Real rate_ = 0, phase_ = 0, H_ = 0, size_ = 0, t_ = 0;
+  Real rate_ = 0, phase_ = 0, momentum_ = 0, size_ = 0, t_ = 0;
   Matrix inertial_;
-  Real attitude_ = 0, speed_ = 0;
+  Deviation attitude_{"attitude", "rad"}, speed_{"speed", ""};
 };
 
 }  // namespace

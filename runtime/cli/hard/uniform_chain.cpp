@@ -2,21 +2,28 @@
 #include <complex>
 #include <numbers>
 
-#include "runtime/base/error.hpp"
 #include "runtime/cli/hard/answer.hpp"
 #include "runtime/cli/hard/elliptic.hpp"
+#include "runtime/cli/hard/requirements.hpp"
 #include "runtime/generic/system.hpp"
 
 namespace kanec::cli::hard {
 namespace {
 
-// q̈ + 2 γ q̇ + ω² q = 0 from q0, v0; q and q̇ at t. Of the two rates the small one is ω² over the large one.
+// q̈ + 2 γ q̇ + ω² q = 0 from q0, v0; q and q̇ at t. Of the two rates the small one is ω² over the large one; as long
+// as they are no matter apart, cosh and sinh of half their difference, which may be 0 or imaginary.
 struct Motion {
   Real q, v;
 };
 Motion oscillation(Real gamma, Real omega, Real q0, Real v0, Real t) {
   using Complex = std::complex<Real>;
   const Complex root = std::sqrt(Complex(gamma * gamma - omega * omega));
+  if (const Complex apart = root * t; std::abs(apart) < 1) {
+    const Real even = std::cosh(apart).real(), decay = std::exp(-gamma * t);
+    const Real odd = apart == Complex(0) ? t : t * (std::sinh(apart) / apart).real();
+    return {decay * (q0 * even + (v0 + gamma * q0) * odd),
+            decay * (v0 * even - (gamma * v0 + omega * omega * q0) * odd)};
+  }
   const Complex fast = -gamma - root, slow = omega * omega / fast;
   const Complex a = (v0 - fast * q0) / (slow - fast), b = q0 - a;
   const Complex of_slow = a * std::exp(slow * t), of_fast = b * std::exp(fast * t);
@@ -27,6 +34,8 @@ class UniformChain final : public Answer {
  public:
   explicit UniformChain(const scene::Scene& scene) : layout_(scene), n_(scene::size(scene)) {
     const generic::System<Real> system(scene, scene::default_parameters(scene));
+    const std::string allowed = "equal masses on a line, parameters k > 0, c";
+    refuse_bound_slides("uniform_chain", layout_, allowed);
     Real k = -1, c = 0;
     for (const scene::Named& parameter : scene.parameters) {
       if (parameter.name == "k") k = parameter.value;
@@ -36,8 +45,7 @@ class UniformChain final : public Answer {
     for (int i = 1; i <= n_; ++i)
       is_chain = is_chain && system.body(i).m == system.body(1).m && system.body(i).lower == i - 1 &&
                  layout_.bodies[static_cast<std::size_t>(i - 1)].s.size() == 1;
-    if (!is_chain)
-      throw InputError("uniform_chain: found another scene; allowed: equal masses on a line, parameters k, c");
+    if (!is_chain) refuse_scene("uniform_chain", allowed);
     stiffness_ = k / system.body(1).m;
     damping_ = c / system.body(1).m;
   }
@@ -56,16 +64,15 @@ class UniformChain final : public Answer {
         expected.v += mode.v * std::sin(i * phase(j));
       }
       const auto at = static_cast<std::size_t>(i - 1);
-      place_error_ = std::max(place_error_, std::fabs(place[at] - expected.q));
-      speed_error_ = std::max(speed_error_, std::fabs(speed[at] - expected.v));
+      position_.add(std::fabs(place[at] - expected.q));
+      speed_.add(std::fabs(speed[at] - expected.v));
       place_size_ = std::max(place_size_, std::fabs(expected.q));
       speed_size_ = std::max(speed_size_, std::fabs(expected.v));
     }
   }
 
-  std::vector<Error> errors() const override {
-    return {{"position", "", static_cast<double>(place_error_ / place_size_)},
-            {"speed", "", static_cast<double>(speed_error_ / speed_size_)}};
+  std::vector<Deviation> deviations() const override {
+    return {position_.beside(place_size_), speed_.beside(speed_size_)};
   }
 
  private:
@@ -99,7 +106,8 @@ class UniformChain final : public Answer {
   int n_;
   Real stiffness_ = 0, damping_ = 0;
   std::vector<Motion> start_;
-  Real place_error_ = 0, speed_error_ = 0, place_size_ = 0, speed_size_ = 0;
+  Deviation position_{"position", ""}, speed_{"speed", ""};
+  Real place_size_ = 0, speed_size_ = 0;
 };
 
 }  // namespace

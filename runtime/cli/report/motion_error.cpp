@@ -4,23 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/cli/attitude_angle.hpp"
 #include "runtime/generic/motion.hpp"
 #include "runtime/integrate/norm.hpp"
 
 namespace kanec::cli {
 namespace {
 
-using Vector = generic::Vector3<long double>;
-using Matrix = generic::Matrix3<long double>;
-
 double largest(double a, long double b) { return integrate::worse(a, static_cast<double>(b)); }
-
-// Of the rotation C: from its sine, twice which is the vector part of C - Cᵀ, and its cosine, so that no angle loses
-// digits, least of all a tiny one.
-long double angle_of(const Matrix& C) {
-  const Vector twice_sine(C(2, 1) - C(1, 2), C(0, 2) - C(2, 0), C(1, 0) - C(0, 1));
-  return std::atan2(twice_sine.norm(), C.trace() - 1.0L);
-}
 
 // Nothing moves there, or what moves is rounding.
 double ratio(double value, double scale) { return value == 0.0 || scale == 0.0 ? 0.0 : value / scale; }
@@ -46,7 +37,7 @@ MotionError difference(const Bodies& a, const Bodies& b) {
   MotionError error;
   for (std::size_t k = 0; k < a.size(); ++k) {
     error.position = largest(error.position, (a[k].p - b[k].p).norm());
-    error.attitude = largest(error.attitude, angle_of(b[k].R_T.transpose() * a[k].R_T));
+    error.attitude = largest(error.attitude, attitude_angle(b[k].R_T, a[k].R_T));
     error.speed = largest(error.speed, (a[k].v - b[k].v).norm());
     error.spin = largest(error.spin, (a[k].omega - b[k].omega).norm());
   }
