@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include "generator/scene/check.hpp"
 #include "runtime/base/error.hpp"
@@ -94,17 +97,25 @@ bool takes_standard_output(const Options& options) {
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code unknown;  // where one is not there yet
+  return !a.empty() && (a == b || std::filesystem::equivalent(a, b, unknown));
+}
+
 void refuse_same_file(const Options& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
   const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
-  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state, &options.ensemble.drawn,
-                                      &read};
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < i; ++j)
-      if (!files[i]->empty() && *files[i] == *files[j])
-        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + *files[i] +
+  const std::array<std::string, 5> files = {options.csv, options.plot, options.final_state, options.ensemble.drawn,
+                                            read};
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_same_file(files[i], files[j]))
+        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + files[i] +
                          "' twice; allowed: a file each");
+  if (is_same_file(options.plot, options.resume) || is_same_file(options.final_state, options.resume))
+    throw InputError("--resume: found its file '" + options.resume +
+                     "' as --plot or --final; allowed: --csv to go on in");
 }
 
 // What the run leaves behind; each file is opened before the run and appears after it.
@@ -115,7 +126,7 @@ class Products {
     refuse_same_file(options);
     const integrate::StateNames names = trajectory_names(scene);
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
-    if (csv_ && options.csv == options.resume) csv_->add_text(rows_before);
+    if (csv_ && is_same_file(options.csv, options.resume)) csv_->add_text(rows_before);
     if (!options.plot.empty()) plot_.emplace(options.plot, names, true, has_drives(scene));
     if (!options.final_state.empty()) final_.emplace(options.final_state);
   }

@@ -107,6 +107,9 @@ TEST_F(Report, refuses_what_it_does_not_know) {
   refuses({"report"}, "no scene is given");
   refuses({"report", model("pendulum"), "--json", "--csv"}, "found several of them");
   refuses({"report", model("pendulum"), "--functions", "acceleration"}, "function: found");
+  refuses({"report", "--hard", "--json", "--markdown"}, "found several of them");
+  for (const char* other : {"--peers", "--timed", "--csv", "--evaluation", "--limit=2", "--seed=2", "--error=1e-6"})
+    refuses({"report", "--hard", other}, "--hard: found it beside other reports");
 }
 
 TEST(HardStates, have_high_speeds_large_angles_and_unit_norms) {

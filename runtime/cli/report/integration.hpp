@@ -1,5 +1,5 @@
 // What accuracy costs in time with each integrator: runs over tolerances or steps against a reference. Not: how it is
-// shown (integration_text.hpp, work_precision.hpp).
+// shown (integration_text.hpp, integration_diagram.hpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace kanec::cli {
 
-// Tolerances 1e-4 … 1e-14; steps from about those of the coarsest on.
+// Tolerances 1e-4 … 1e-14, of Taylor series finer ones; steps from about those of the coarsest on.
 constexpr int coarsest_decade = 4, finest_decade = 14;
 constexpr int most_halvings = 14;
 
@@ -56,7 +56,8 @@ IntegrationRun run_with(const integrate::Options& options);
 
 struct SceneRuns {
   std::string model;
-  std::string path;  // as it was given, for a command to type
+  std::string path;            // as it was given, for a command to type
+  scene::Simulation settings;  // the scene's own
   double duration = 0.0;
   int rows = 0;
   MotionScales scales;

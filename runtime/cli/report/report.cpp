@@ -31,8 +31,8 @@ constexpr auto footer =
   kanec report models/bench_cr7 --evaluation --functions accelerations
   kanec report models/bench_* --evaluation --markdown -o docs/accuracy.md
 
-Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14, or steps halved
-again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
+Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14 (of
+Taylor series finer ones), or steps halved again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
 shows its wall time (the least of a few), steps, evaluations, worst and last error, what it kept of energy and momentum,
 or why it failed; cvode_bdf stands there with the emitted Jacobian and with differences. A recommendation names the
 fastest run for a wanted error, as a command to type. --plot draws wall time against error, a line an integrator, the
@@ -143,7 +143,7 @@ std::string command_of(const Options& options) {
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
   if (options.with_peers) command += " --peers";
   if (!options.plot.empty()) command += " --plot " + options.plot;
-  return command + " --markdown";
+  return command + build_text(options.build) + " --markdown";
 }
 
 std::string as_text(const Findings& findings, const Options& options) {
@@ -184,10 +184,14 @@ std::string text_of(const Findings& findings, const Options& options) {
 
 void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
 
-void check(const Options& options) {
-  for (const std::string& name : options.integration.integrators) integrate::method_of(name);
+void require_one_format(const Options& options) {
   if (options.json + options.csv + options.markdown > 1)
     refuse("--json, --csv, --markdown: found several of them", "one");
+}
+
+void check(const Options& options) {
+  for (const std::string& name : options.integration.integrators) integrate::method_of(name);
+  require_one_format(options);
   if (options.evaluation_alone && options.integration_alone)
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   if (options.integration_alone && !options.evaluation.functions.empty())
@@ -214,9 +218,20 @@ std::vector<Peer> integrating_peers() {
   return list;
 }
 
+// What the other reports read.
+bool asks_for_more(const Options& options) {
+  const EvaluationOptions usual;
+  const IntegrationOptions& run = options.integration;
+  return !options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
+         options.integration_alone || options.with_peers || !options.evaluation.functions.empty() ||
+         options.evaluation.is_timed || options.evaluation.states != usual.states ||
+         options.evaluation.seed != usual.seed || !run.integrators.empty() || run.duration || run.error ||
+         run.limit != IntegrationOptions().limit;
+}
+
 int report_hard(const Options& options) {
-  if (!options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
-      options.integration_alone || !options.evaluation.functions.empty())
+  require_one_format(options);
+  if (asks_for_more(options))
     refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
   return hard::report_hard_cases(
       {options.scenes, options.brief, options.json, options.markdown, options.output, options.build});
