@@ -9,7 +9,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/norm.hpp"
 #include "runtime/integrate/simulate.hpp"
-#include "tests/taylor/compiled.hpp"
+#include "tests/support/compiled.hpp"
 
 namespace kanec::test {
 namespace {
