@@ -37,12 +37,14 @@ constexpr auto footer =
     R"(Example: the six bodies with a heavier payload and no thrust, 20 s, as numbers and as a picture
   kanec simulate models/six_body --set m_payload=2.5 --set thrust=0 --duration 20 --csv six.csv --plot six.svg
 
-What is not given here is as in the scene's [simulate]. The Euler parameters are projected to unit norm after every
-step; the summary says how far they were off before. Energy change minus work, and where nothing acts from outside the
-momenta too, would be zero if there were no errors. Prescribed coordinates do work that no function of the model adds
-up: with them that difference is their work, and energy is no check. The CSV has a column a coordinate, speed and energy,
-with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
-error. --final leaves the last state as `kanec eval --input` takes it.
+What is not given here is as in the scene's [simulate]. Euler parameters have unit norm: lie4, gauss4 and gauss6 keep it
+by themselves; cvode and ida project the rows, and start anew from projected values once the norm has drifted; the other
+integrators project after every step. The summary says how far they were off at the ends of steps, before that. Energy
+change minus work, and where nothing acts from outside the momenta too, would be zero if there were no errors.
+Prescribed coordinates do work that no function of the model adds up: with them that difference is their work, and
+energy is no check. The CSV has a column a coordinate, speed and energy, with units in its header, every number exact;
+--csv - writes it to standard output, and the summary goes to standard error. --final leaves the last state as
+`kanec eval --input` takes it.
 
 Where the scene has [[event]] tables the summary lists what happened when, and the CSV shows the inputs that events set.
 A run that fails says where, and leaves the rows until then; a longer run or a mended one goes on from the last of them
@@ -282,7 +284,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->add_option("--integrator", options->integrator,
                    "rk4, lie4, gauss4, gauss6: fixed step; the others: error control; arkode_dirk, cvode_bdf, ida: for "
                    "stiff scenes; taylor: for tight tolerances")
-      ->option_text("rk4|lie4|gauss4|gauss6|arkode|arkode_dirk|cvode|cvode_bdf|ida|taylor|taylor_extended");
+      ->option_text(fmt::format("{}", fmt::join(integrate::method_names(), "|")));
   command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
   command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
       ->option_text("N");
