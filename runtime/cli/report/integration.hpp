@@ -45,7 +45,7 @@ struct IntegrationRun {
   double end_error = 0.0, worst_error = 0.0;  // the same as one number (motion_error.hpp)
   std::optional<double> energy;               // change less work, worst over rows, beside the energies exchanged
   std::optional<double> momentum;             // change, worst over rows, where nothing acts from outside
-  std::optional<double> norm;                 // worst | |ε| - 1 | before projection, where there are Euler parameters
+  std::optional<double> norm;                 // worst | |ε| - 1 | at the ends of steps, where there are Euler parameters
   bool is_on_front = false;                   // no other run is both more accurate and faster
 
   bool ok() const { return failure.empty(); }

@@ -66,7 +66,7 @@ std::vector<std::string> advice(const SceneRuns& scene, std::optional<double> er
 }
 
 constexpr auto kept_text =
-    "energy, momentum: change beside its size; |eps|-1: before projection; *: no other is as fast and as accurate";
+    "energy, momentum: change beside its size; |eps|-1: at the ends of steps; *: no other is as fast and as accurate";
 
 // Of rows of one length, the columns in which one below the headings has something.
 std::vector<TextRow> without_empty_columns(const std::vector<TextRow>& rows, std::size_t n_headings) {
@@ -189,7 +189,7 @@ runs are left out once one took longer than the limit a run, which stands there 
 - *error*: without unit, worst over the rows; *at the end*: the same there. Position, attitude (angle of the error
   rotation), speed and spin are the largest over bodies and rows, in their own units.
 - *energy*: change less work of the loads beside the energies exchanged; *momentum*: change beside its size, where
-  nothing acts from outside; *|eps|-1*: largest at the end of a step, before any correction.
+  nothing acts from outside; *|eps|-1*: largest at the ends of steps, before any correction.
 - *Jacobians*: evaluations of emitted derivatives; those for differences count as evaluations of the rates.
 - `*` marks the Pareto front: no other run is as fast and as accurate.
 )";
