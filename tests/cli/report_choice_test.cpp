@@ -107,7 +107,7 @@ TEST(IntegrationText, shows_failures_with_their_cause) {
   EXPECT_THAT(integration_text(scene, {}), HasSubstr("cvode_bdf, rtol 1e-09: failed after 100 µs: it, \"stopped\""));
   EXPECT_THAT(integration_csv({scene}), HasSubstr(",\"it, \"\"stopped\"\"\"\n"));
   EXPECT_EQ(integration_json(scene, {}).at("runs").at(4).at("failure"), "it, \"stopped\"");
-  EXPECT_THAT(integration_markdown({scene}, {}, "kanec report", ""), HasSubstr("rtol 1e-09: it, \"stopped\""));
+  EXPECT_THAT(integration_markdown({scene}, {}, "kanec report"), HasSubstr("rtol 1e-09: it, \"stopped\""));
 }
 
 Bodies turned(long double angle) {

@@ -45,8 +45,8 @@ struct IntegrationRun {
   double end_error = 0.0, worst_error = 0.0;  // the same as one number (motion_error.hpp)
   std::optional<double> energy;               // change less work, worst over rows, beside the energies exchanged
   std::optional<double> momentum;             // change, worst over rows, where nothing acts from outside
-  std::optional<double> norm;                 // worst | |ε| - 1 | at the ends of steps, where there are Euler parameters
-  bool is_on_front = false;                   // no other run is both more accurate and faster
+  std::optional<double> norm;  // worst | |ε| - 1 | at the ends of steps, where there are Euler parameters
+  bool is_on_front = false;    // no other run is both more accurate and faster
 
   bool ok() const { return failure.empty(); }
 };
@@ -57,6 +57,7 @@ IntegrationRun run_with(const integrate::Options& options);
 struct SceneRuns {
   std::string model;
   std::string path;            // as it was given, for a command to type
+  std::string picture;         // file of the diagram; empty: none
   scene::Simulation settings;  // the scene's own
   double duration = 0.0;
   int rows = 0;

@@ -250,14 +250,14 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes) {
 }
 
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
-                                 const std::string& command, const std::string& picture) {
+                                 const std::string& command) {
   std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
                      fmt::format(page_head, scenes.empty() ? 0 : scenes.front().rows, processor_name());
   for (const SceneRuns& scene : scenes) {
     text += fmt::format("\n## {}\n\n0 to {} s. {}. {}.\n\n", scene.model, shortest(scene.duration),
                         reference_text(scene), scales_text(scene));
-    if (!picture.empty())
-      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(picture).filename().string());
+    if (!scene.picture.empty())
+      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(scene.picture).filename().string());
     text += markdown_table(scene) + "\n";
     for (const std::string& line : advice(scene, error)) text += "- " + line + "\n";
   }

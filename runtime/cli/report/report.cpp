@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
+#include <deque>
+#include <filesystem>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -80,6 +81,8 @@ struct Findings {
   std::vector<SceneRuns> runs;
 };
 
+void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
+
 SceneErrors errors_of(const scene::Scene& scene, const Options& given, const Interrupts& interrupts) {
   EvaluationOptions options = given.evaluation;
   options.functions = Functions(scene).chosen(options.functions);
@@ -98,6 +101,19 @@ std::vector<std::string> arguments_of(const Options& options) {
   for (const std::string& word : options.scenes)
     for (const std::string& file : scene_files(word)) list.push_back(file);
   if (list.empty()) list.push_back("--connection " + options.connection);
+  return list;
+}
+
+// Of several scenes each has its name behind the file's.
+std::vector<std::string> picture_files(const Options& options, const std::vector<scene::Scene>& scenes) {
+  std::vector<std::string> list;
+  const std::filesystem::path plot = options.plot;
+  for (const scene::Scene& scene : scenes) {
+    const std::string name = plot.stem().string() + "_" + scene.name + plot.extension().string();
+    list.push_back(scenes.size() == 1 ? options.plot : (plot.parent_path() / name).string());
+    if (std::count(list.begin(), list.end(), list.back()) > 1)
+      refuse("--plot: found two scenes named " + scene.name, "a picture each");
+  }
   return list;
 }
 
@@ -170,8 +186,7 @@ std::string as_page(const Findings& findings, const Options& options) {
   std::string text;
   if (options.evaluates()) text += evaluation_markdown(findings.errors, options.evaluation, command);
   if (options.evaluates() && options.integrates()) text += "\n";
-  if (options.integrates())
-    text += integration_markdown(findings.runs, options.integration.error, command, options.plot);
+  if (options.integrates()) text += integration_markdown(findings.runs, options.integration.error, command);
   return text;
 }
 
@@ -181,8 +196,6 @@ std::string text_of(const Findings& findings, const Options& options) {
   if (!options.csv) return as_text(findings, options);
   return options.evaluates() ? evaluation_csv(findings.errors) : integration_csv(findings.runs);
 }
-
-void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
 
 void require_one_format(const Options& options) {
   if (options.json + options.csv + options.markdown > 1)
@@ -201,10 +214,8 @@ void check(const Options& options) {
     refuse("--timed: found it beside --csv or --integration", "evaluation as text, --json, --markdown or --plot");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
-  if (options.plot.empty()) return;
-  if (const std::size_t count = arguments_of(options).size(); count > 1)
-    refuse("--plot: found " + std::to_string(count) + " scenes", "one scene a picture");
-  if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
+  if (!options.plot.empty() && options.plot == options.output)
+    refuse("--plot, --output: found the same file", "a file each");
 }
 
 // Other engines that integrate.
@@ -245,13 +256,16 @@ int report(const Options& given) {
   if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
-  std::optional<AtomicFile> picture;
-  if (!options.plot.empty()) picture.emplace(options.plot);
-  const Findings findings = found(options, scenes);
-  if (picture) {
-    picture->write(options.draws_evaluation() ? evaluation_svg(findings.errors.front())
-                                              : integration_svg(findings.runs.front()));
-    picture->commit();
+  std::deque<AtomicFile> pictures;
+  std::vector<std::string> files;
+  if (!options.plot.empty()) files = picture_files(options, scenes);
+  for (const std::string& name : files) pictures.emplace_back(name);
+  Findings findings = found(options, scenes);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    pictures[i].write(options.draws_evaluation() ? evaluation_svg(findings.errors[i])
+                                                 : integration_svg(findings.runs[i]));
+    pictures[i].commit();
+    if (!options.draws_evaluation()) findings.runs[i].picture = files[i];
   }
   file.write(text_of(findings, options));
   file.commit();
@@ -300,7 +314,8 @@ void add_integration(CLI::App& command, Options& options) {
       ->group(group);
   command
       .add_option("--plot", options.plot,
-                  "wall time against error, as a picture; with --evaluation nanoseconds against ulps")
+                  "wall time against error, as a picture (of several scenes FILE_<scene>.svg each); with "
+                  "--evaluation nanoseconds against ulps")
       ->option_text("FILE.svg")
       ->group(group);
 }
