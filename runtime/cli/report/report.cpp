@@ -52,7 +52,7 @@ of a right angle, and of ten thousand radians), and compared with
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
 chooses by: the error that independent roundings of all operations would make. With --timed the emitted code is compiled:
 as it is, both algorithms, loops for size, lanes in double and in float, each with the time of one evaluation and its
-error from the generic path in 50 digits; --plot draws that.
+error from the generic path in 50 digits; --plot draws that, --csv writes it.
 
 Without --integration or --evaluation both are made; with --functions evaluation alone.
 
@@ -194,7 +194,8 @@ std::string text_of(const Findings& findings, const Options& options) {
   if (options.json) return as_json(findings, options);
   if (options.markdown) return as_page(findings, options);
   if (!options.csv) return as_text(findings, options);
-  return options.evaluates() ? evaluation_csv(findings.errors) : integration_csv(findings.runs);
+  if (!options.evaluates()) return integration_csv(findings.runs);
+  return options.evaluation.is_timed ? variants_csv(findings.errors) : evaluation_csv(findings.errors);
 }
 
 void require_one_format(const Options& options) {
@@ -210,8 +211,8 @@ void check(const Options& options) {
   if (options.integration_alone && !options.evaluation.functions.empty())
     refuse("--functions: found it beside --integration", "with --evaluation");
   if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
-  if (options.evaluation.is_timed && (options.csv || !options.evaluates()))
-    refuse("--timed: found it beside --csv or --integration", "evaluation as text, --json, --markdown or --plot");
+  if (options.evaluation.is_timed && !options.evaluates())
+    refuse("--timed: found it beside --integration", "with --evaluation");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (!options.plot.empty() && options.plot == options.output)
