@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/emit/marked.hpp"
 #include "runtime/lanes/files.hpp"
 
 namespace kanec::emit {
@@ -67,9 +68,7 @@ std::string cos_sin_text(const Model& model, const program::Program& program) {
     return !Angles(program, function, model.optimize).empty();
   });
   if (!any) return "";
-  const std::string file = kanec::cos_sin_text(), mark = "// --------\n";
-  const std::size_t begin = file.find(mark) + mark.size();
-  return "\n" + file.substr(begin, file.rfind(mark) - begin);
+  return "\n" + between_marks(kanec::cos_sin_text());
 }
 
 }  // namespace kanec::emit

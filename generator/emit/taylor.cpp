@@ -2,6 +2,7 @@
 #include "generator/emit/taylor.hpp"
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/marked.hpp"
 #include "generator/emit/prepare.hpp"
 #include "generator/emit/recursions.hpp"
 #include "generator/emit/statements.hpp"
@@ -14,12 +15,6 @@ std::string products_text(const std::string& list) {
   std::string text = "  static constexpr kanec_series::Product products[] = {\n";
   for (const std::string& line : wrapped("     " + list + " {0, 0, 0, 0}", "      ")) text += line + "\n";
   return text + "  };\n  static constexpr int n_products = sizeof products / sizeof *products - 1;\n\n";
-}
-
-std::string between_marks(const std::string& file) {
-  const std::string mark = "// --------\n";
-  const std::size_t begin = file.find(mark) + mark.size();
-  return file.substr(begin, file.rfind(mark) - begin);
 }
 
 std::string head(const Model& model) {

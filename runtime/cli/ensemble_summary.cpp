@@ -84,7 +84,7 @@ std::string EnsembleSummary::text() const {
   if (energy_error_.count() > 0 && !driven_)
     text += line("energy change minus work", fmt::format("at worst {} relative, {} on average",
                                                          brief(energy_error_.largest()), brief(energy_error_.mean())));
-  text += line("worst | |eps| - 1 |", brief(norm_error_) + " before projection");
+  text += line("worst | |eps| - 1 |", brief(norm_error_) + " at the ends of steps");
   if (names_.empty()) return text;
   std::vector<TextRow> rows = {{"  at the end", "mean", "deviation", "least", "largest"}};
   for (std::size_t i = 0; i < std::min(names_.size(), shown_names); ++i)

@@ -6,6 +6,7 @@
 
 #include "generator/reach.hpp"
 #include "generator/scene/place.hpp"
+#include "generator/symbolic/functions.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/options.hpp"
 
@@ -41,7 +42,7 @@ std::vector<std::string> functions_to_integrate(const scene::Scene& scene, integ
   constexpr long much = 4000;  // operations of A; its derivatives take some ten times as many
   if (options.jacobian == JacobianChoice::automatic && mass_matrix_operations(scene) > much)
     options.jacobian = JacobianChoice::differences;
-  std::vector<std::string> list = needed_functions(options, Functions(scene).has("power"), n_coordinates(scene));
+  std::vector<std::string> list = needed_functions(options, symbolic::has_loads(scene), n_coordinates(scene));
   if (!options.events.empty()) list.emplace_back("events");
   return list;
 }

@@ -47,6 +47,13 @@ compile::Source batch_source_of(const Generated& generated, const scene::Scene& 
   return source;
 }
 
+const std::map<std::string, emit::Optimize>& goals() {
+  using emit::Optimize;
+  static const std::map<std::string, Optimize> all = {
+      {"speed", Optimize::speed}, {"size", Optimize::size}, {"line", Optimize::line}, {"loops", Optimize::loops}};
+  return all;
+}
+
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
 CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
@@ -93,6 +100,16 @@ void add_build(CLI::App& command, BuildArguments& arguments) {
   command.add_flag("--no-cache", arguments.no_cache, "compile anew, keep nothing")->group(group);
 }
 
+std::string build_text(const BuildArguments& arguments) {
+  std::string text;
+  if (arguments.algorithm) text += " --algorithm " + name(*arguments.algorithm);
+  for (const auto& [goal, optimize] : goals())
+    if (optimize == arguments.optimize && optimize != BuildArguments().optimize) text += " --optimize " + goal;
+  if (!arguments.compiler.empty()) text += " --compiler " + arguments.compiler;
+  if (arguments.flags_given) text += " --flags '" + arguments.flags + "'";
+  return text;
+}
+
 compile::Options compile_options(const BuildArguments& arguments) {
   return {arguments.compiler, words(arguments.flags), arguments.flags_given, arguments.cache, !arguments.no_cache};
 }
@@ -130,10 +147,7 @@ void add_algorithm(CLI::App& command, std::optional<symbolic::Algorithm>& algori
 }
 
 void add_optimize(CLI::App& command, emit::Optimize& optimize) {
-  using emit::Optimize;
-  static const std::map<std::string, Optimize> goals = {
-      {"speed", Optimize::speed}, {"size", Optimize::size}, {"line", Optimize::line}, {"loops", Optimize::loops}};
-  const auto set = [&optimize](const std::string& text) { optimize = goals.at(text); };
+  const auto set = [&optimize](const std::string& text) { optimize = goals().at(text); };
   command
       .add_option_function<std::string>(
           "--optimize", set,

@@ -24,6 +24,8 @@ struct BuildArguments {
 };
 
 void add_build(CLI::App& command, BuildArguments& arguments);
+// " --optimize size --flags '-O3'": those that change what is compiled, as they are typed.
+std::string build_text(const BuildArguments& arguments);
 compile::Options compile_options(const BuildArguments& arguments);
 
 struct CompiledModel {

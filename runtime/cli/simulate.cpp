@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include "generator/scene/check.hpp"
 #include "runtime/base/error.hpp"
@@ -34,12 +37,14 @@ constexpr auto footer =
     R"(Example: the six bodies with a heavier payload and no thrust, 20 s, as numbers and as a picture
   kanec simulate models/six_body --set m_payload=2.5 --set thrust=0 --duration 20 --csv six.csv --plot six.svg
 
-What is not given here is as in the scene's [simulate]. The Euler parameters are projected to unit norm after every
-step; the summary says how far they were off before. Energy change minus work, and where nothing acts from outside the
-momenta too, would be zero if there were no errors. Prescribed coordinates do work that no function of the model adds
-up: with them that difference is their work, and energy is no check. The CSV has a column a coordinate, speed and energy,
-with units in its header, every number exact; --csv - writes it to standard output, and the summary goes to standard
-error. --final leaves the last state as `kanec eval --input` takes it.
+What is not given here is as in the scene's [simulate]. Euler parameters have unit norm: lie4, gauss4 and gauss6 keep it
+by themselves; cvode and ida project the rows, and start anew from projected values once the norm has drifted; the other
+integrators project after every step. The summary says how far they were off at the ends of steps, before that. Energy
+change minus work, and where nothing acts from outside the momenta too, would be zero if there were no errors.
+Prescribed coordinates do work that no function of the model adds up: with them that difference is their work, and
+energy is no check. The CSV has a column a coordinate, speed and energy, with units in its header, every number exact;
+--csv - writes it to standard output, and the summary goes to standard error. --final leaves the last state as
+`kanec eval --input` takes it.
 
 Where the scene has [[event]] tables the summary lists what happened when, and the CSV shows the inputs that events set.
 A run that fails says where, and leaves the rows until then; a longer run or a mended one goes on from the last of them
@@ -94,17 +99,25 @@ bool takes_standard_output(const Options& options) {
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code unknown;  // where one is not there yet
+  return !a.empty() && (a == b || std::filesystem::equivalent(a, b, unknown));
+}
+
 void refuse_same_file(const Options& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
   const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
-  const std::string* const files[] = {&options.csv, &options.plot, &options.final_state, &options.ensemble.drawn,
-                                      &read};
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < i; ++j)
-      if (!files[i]->empty() && *files[i] == *files[j])
-        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + *files[i] +
+  const std::array<std::string, 5> files = {options.csv, options.plot, options.final_state, options.ensemble.drawn,
+                                            read};
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_same_file(files[i], files[j]))
+        throw InputError("--csv, --plot, --final, --drawn, --ensemble: found '" + files[i] +
                          "' twice; allowed: a file each");
+  if (is_same_file(options.plot, options.resume) || is_same_file(options.final_state, options.resume))
+    throw InputError("--resume: found its file '" + options.resume +
+                     "' as --plot or --final; allowed: --csv to go on in");
 }
 
 // What the run leaves behind; each file is opened before the run and appears after it.
@@ -115,7 +128,7 @@ class Products {
     refuse_same_file(options);
     const integrate::StateNames names = trajectory_names(scene);
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
-    if (csv_ && options.csv == options.resume) csv_->add_text(rows_before);
+    if (csv_ && is_same_file(options.csv, options.resume)) csv_->add_text(rows_before);
     if (!options.plot.empty()) plot_.emplace(options.plot, names, true, has_drives(scene));
     if (!options.final_state.empty()) final_.emplace(options.final_state);
   }
@@ -271,7 +284,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->add_option("--integrator", options->integrator,
                    "rk4, lie4, gauss4, gauss6: fixed step; the others: error control; arkode_dirk, cvode_bdf, ida: for "
                    "stiff scenes; taylor: for tight tolerances")
-      ->option_text("rk4|lie4|gauss4|gauss6|arkode|arkode_dirk|cvode|cvode_bdf|ida|taylor|taylor_extended");
+      ->option_text(fmt::format("{}", fmt::join(integrate::method_names(), "|")));
   command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
   command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
       ->option_text("N");

@@ -120,7 +120,7 @@ std::string summary_text(const integrate::Summary& summary, const integrate::Opt
   if (summary.linear_momentum && !conservation.isolated)
     lines.add("", "(gravity, loads or joints act from outside: the momenta are not kept)");
   lines.add("worst | |eps| - 1 |",
-            fmt::format("{} before projection, {} in the rows", brief(summary.worst_norm_error_before),
+            fmt::format("{} at the ends of steps, {} in the rows", brief(summary.worst_norm_error_before),
                         brief(summary.worst_norm_error_after)));
   return lines.text();
 }

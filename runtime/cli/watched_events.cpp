@@ -11,12 +11,28 @@ namespace kanec::cli {
 using integrate::Event;
 using integrate::Happening;
 
+namespace {
+
+Event::Direction direction_of(const scene::Event& event) {
+  switch (event.direction) {
+    case scene::Event::Direction::up:
+      return Event::Direction::up;
+    case scene::Event::Direction::down:
+      return Event::Direction::down;
+    case scene::Event::Direction::both:
+      break;
+  }
+  return Event::Direction::both;
+}
+
+}  // namespace
+
 std::vector<Event> watched_events(const scene::Scene& scene) {
   std::vector<Event> list;
   for (const scene::Event& from : scene.events) {
     Event event;
     event.name = from.name;
-    event.direction = static_cast<Event::Direction>(from.direction);
+    event.direction = direction_of(from);
     event.stops = from.action == scene::Event::Action::stop;
     event.has_row = from.row;
     for (const scene::Event::Setting& setting : from.settings) event.settings.push_back({setting.input, setting.value});

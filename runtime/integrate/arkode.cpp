@@ -8,17 +8,23 @@
 namespace kanec::integrate {
 namespace {
 
-struct ErkDeleter {
-  void operator()(void* memory) const { ERKStepFree(&memory); }
+struct ErkCalls {
+  static constexpr Library library = {"arkode", arkode_rate_flags};
+  static constexpr auto free = ERKStepFree;
+  static constexpr auto set_init_step = ERKStepSetInitStep;
+  static constexpr auto set_stop_time = ERKStepSetStopTime;
+  static constexpr auto evolve = ERKStepEvolve;
+  static int re_init(void* erk, double t, N_Vector z) { return ERKStepReInit(erk, kanec_sundials_rates, t, z); }
+  static std::int64_t failed(void* erk, const CallbackData& data) {
+    return count(ERKStepGetNumErrTestFails, erk, "ERKStepGetNumErrTestFails", data);
+  }
 };
 
 // Explicit embedded pairs, projection inside every accepted step (before its end rate is computed: none of the pairs
 // for orders 4, 5, 6, 8 carries the last stage over).
-class Erk {
+class Erk : public ArkodePair<ErkCalls> {
  public:
-  Erk(System& system, std::vector<double> z, double t, const Options& options)
-      : data_{system}, z_(std::move(z)), vector_(view(z_, context_)), t_(t) {
-    data_.state = &z_;
+  Erk(System& system, std::vector<double> z, double t, const Options& options) : ArkodePair(system, std::move(z), t) {
     memory_.reset(ERKStepCreate(kanec_sundials_rates, t, vector_.get(), context_));
     if (!memory_) throw InternalError("ERKStepCreate failed");
     void* erk = memory_.get();
@@ -29,41 +35,6 @@ class Erk {
             data_);
     require(ERKStepSetPostprocessStepFn(erk, kanec_arkode_project), "ERKStepSetPostprocessStepFn", data_);
   }
-
-  double t() const { return t_; }
-  const std::vector<double>& z() const { return z_; }
-  double norm_error() const { return data_.norm_error; }
-  std::int64_t failed() const { return failed_before_ + failed_; }
-  static std::int64_t jacobians() { return 0; }
-
-  void begin(double t, const std::vector<double>& z, double h) {
-    failed_before_ += std::exchange(failed_, 0);
-    z_ = z;
-    t_ = t;
-    require(ERKStepReInit(memory_.get(), kanec_sundials_rates, t, vector_.get()), "ERKStepReInit", data_);
-    require(ERKStepSetInitStep(memory_.get(), h), "ERKStepSetInitStep", data_);
-  }
-
-  void step(double limit) {
-    require(ERKStepSetStopTime(memory_.get(), limit), "ERKStepSetStopTime", data_);
-    data_.system.clear_fault();
-    double next = t_;
-    const int flag = ERKStepEvolve(memory_.get(), limit, vector_.get(), &next, ARK_ONE_STEP);
-    if (flag < 0) throw_step_failure("arkode", next, failed_in_rates(flag), data_);
-    require_progress("arkode", t_, next, data_);
-    t_ = next;
-    require(ERKStepGetNumErrTestFails(memory_.get(), &failed_), "ERKStepGetNumErrTestFails", data_);
-  }
-
- private:
-  CallbackData data_;
-  sundials::Context context_;
-  std::vector<double> z_;
-  VectorHandle vector_;
-  std::unique_ptr<void, ErkDeleter> memory_;
-  double t_;
-  std::int64_t failed_before_ = 0;
-  long failed_ = 0;  // since the last start
 };
 
 }  // namespace

@@ -4,13 +4,8 @@
 #include <cvode/cvode_proj.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <algorithm>
-
 #include "runtime/base/error.hpp"
-#include "runtime/integrate/linear_solver.hpp"
-#include "runtime/integrate/norm.hpp"
-#include "runtime/integrate/stepper.hpp"
-#include "runtime/integrate/sundials.hpp"
+#include "runtime/integrate/multistep.hpp"
 
 namespace kanec::integrate {
 namespace {
@@ -35,10 +30,8 @@ extern "C" int kanec_cvode_project(realtype, N_Vector z, N_Vector correction, re
   return 0;
 }
 
-bool failed_in_rates(int flag) {
-  return flag == CV_RHSFUNC_FAIL || flag == CV_FIRST_RHSFUNC_ERR || flag == CV_REPTD_RHSFUNC_ERR ||
-         flag == CV_UNREC_RHSFUNC_ERR;
-}
+constexpr int rate_flags[] = {CV_RHSFUNC_FAIL, CV_FIRST_RHSFUNC_ERR, CV_REPTD_RHSFUNC_ERR, CV_UNREC_RHSFUNC_ERR};
+constexpr Library cvode_library = {"cvode", rate_flags};
 
 struct CvodeDeleter {
   void operator()(void* memory) const { CVodeFree(&memory); }
@@ -47,26 +40,14 @@ struct NonlinearDeleter {
   void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
 };
 
-// Multistep methods take their own steps; rows are interpolated by the method's own polynomial (its full order), then
-// projected. BDF projects inside every step. CVODE has no projection for Adams, and changing the newest value alone
-// would spoil the history: so Adams runs free, and starts anew from projected values once the norm is off by
-// `drift_limit_`. A start costs some twenty short steps and a drift of about the tolerance; a limit of a hundred times
-// that keeps starts hundreds of steps apart, and the norm is not the largest of the errors.
-class Cvode final : public Stepper {
+// BDF by Newton's method and Adams by fixed-point iteration. CVODE projects inside every step of BDF, and has no
+// projection for Adams.
+class Cvode final : public Multistep {
  public:
   Cvode(System& system, std::vector<double> z, const Options& options, StepBook& book)
-      : book_(book),
-        data_{system},
-        bdf_(options.method == Method::cvode_bdf),
-        drift_limit_(100.0 * std::max(options.relative_tolerance, 1e-13)),
-        end_(options.duration),
-        t_(options.start),
-        z_(std::move(z)),
-        row_(z_),
-        vector_(view(z_, context_)),
-        row_vector_(view(row_, context_)) {
-    data_.state = &z_;
-    memory_.reset(CVodeCreate(bdf_ ? CV_BDF : CV_ADAMS, context_));
+      : Multistep(cvode_library, options.method == Method::cvode_bdf, system, std::move(z), options, book) {
+    const bool is_bdf = options.method == Method::cvode_bdf;
+    memory_.reset(CVodeCreate(is_bdf ? CV_BDF : CV_ADAMS, context_));
     if (!memory_) throw InternalError("CVodeCreate failed");
     void* cvode = memory_.get();
     require(CVodeSetErrHandlerFn(cvode, kanec_sundials_message, &data_), "CVodeSetErrHandlerFn", data_);
@@ -74,43 +55,10 @@ class Cvode final : public Stepper {
     require(CVodeSetUserData(cvode, &data_), "CVodeSetUserData", data_);
     require(CVodeSStolerances(cvode, options.relative_tolerance, options.absolute_tolerance), "CVodeSStolerances",
             data_);
-    if (bdf_)
+    if (is_bdf)
       set_newton(options);
     else
       set_fixed_point();
-  }
-
-  double time() const override { return t_; }
-
-  std::span<const double> at(double t) override {
-    if (!has_stepped_) return z_;
-    require(CVodeGetDky(memory_.get(), t, 0, row_vector_.get()), "CVodeGetDky", data_);
-    normalise(row_.data(), data_.system.attitudes());
-    return row_;
-  }
-
-  void restart(double t, std::span<const double> z) override {
-    std::copy(z.begin(), z.end(), z_.begin());
-    t_ = t;
-    start_anew();
-  }
-
-  void step(double) override {
-    if (!bdf_ && norm_error(z_.data(), data_.system.attitudes()) > drift_limit_) {
-      start_anew();
-      ++book_.restarts;
-    }
-    require(CVodeSetStopTime(memory_.get(), end_), "CVodeSetStopTime", data_);
-    data_.system.clear_fault();
-    double next = t_;
-    const int flag = CVode(memory_.get(), end_, vector_.get(), &next, CV_ONE_STEP);
-    if (flag < 0) throw_step_failure("cvode", next, failed_in_rates(flag), data_);
-    require_progress("cvode", t_, next, data_);
-    t_ = next;
-    has_stepped_ = true;
-    book_.failed = failed_before_restart_ + failed();
-    if (linear_) book_.jacobians = linear_->evaluations();
-    book_.accepted(t_, bdf_ ? data_.norm_error : norm_error(z_.data(), data_.system.attitudes()));
   }
 
  private:
@@ -131,34 +79,24 @@ class Cvode final : public Stepper {
     require(CVodeSetProjFn(memory_.get(), kanec_cvode_project), "CVodeSetProjFn", data_);
   }
 
-  void start_anew() {
-    failed_before_restart_ += failed();
-    normalise(z_.data(), data_.system.attitudes());
-    require(CVodeReInit(memory_.get(), t_, vector_.get()), "CVodeReInit", data_);
-    has_stepped_ = false;
+  void interpolate(double t, N_Vector row) override {
+    require(CVodeGetDky(memory_.get(), t, 0, row), "CVodeGetDky", data_);
   }
 
-  // steps rejected since the last start
-  std::int64_t failed() {
-    long error_test = 0, convergence = 0;
-    require(CVodeGetNumErrTestFails(memory_.get(), &error_test), "CVodeGetNumErrTestFails", data_);
-    require(CVodeGetNumStepSolveFails(memory_.get(), &convergence), "CVodeGetNumStepSolveFails", data_);
-    return error_test + convergence;
+  int evolve(double* next) override {
+    require(CVodeSetStopTime(memory_.get(), end_), "CVodeSetStopTime", data_);
+    return CVode(memory_.get(), end_, vector_.get(), next, CV_ONE_STEP);
   }
 
-  StepBook& book_;
-  CallbackData data_;
-  bool bdf_;
-  double drift_limit_;
-  double end_, t_;
-  sundials::Context context_;
-  std::vector<double> z_, row_;  // at the end of the last step; at the last row
-  VectorHandle vector_, row_vector_;
+  void re_init() override { require(CVodeReInit(memory_.get(), t_, vector_.get()), "CVodeReInit", data_); }
+
+  std::int64_t failed() override {
+    return count(CVodeGetNumErrTestFails, memory_.get(), "CVodeGetNumErrTestFails", data_) +
+           count(CVodeGetNumStepSolveFails, memory_.get(), "CVodeGetNumStepSolveFails", data_);
+  }
+
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, NonlinearDeleter> fixed_point_;
-  std::optional<LinearSolver> linear_;
   std::unique_ptr<void, CvodeDeleter> memory_;
-  bool has_stepped_ = false;  // since the last start
-  std::int64_t failed_before_restart_ = 0;
 };
 
 }  // namespace

@@ -4,22 +4,30 @@
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/arkode_common.hpp"
 #include "runtime/integrate/embedded_pair.hpp"
-#include "runtime/integrate/linear_solver.hpp"
 
 namespace kanec::integrate {
 namespace {
 
-struct StepDeleter {
-  void operator()(void* memory) const { ARKStepFree(&memory); }
+struct DirkCalls {
+  static constexpr Library library = {"arkode_dirk", arkode_rate_flags};
+  static constexpr auto free = ARKStepFree;
+  static constexpr auto set_init_step = ARKStepSetInitStep;
+  static constexpr auto set_stop_time = ARKStepSetStopTime;
+  static constexpr auto evolve = ARKStepEvolve;
+  static int re_init(void* ark, double t, N_Vector z) {
+    return ARKStepReInit(ark, nullptr, kanec_sundials_rates, t, z);
+  }
+  static std::int64_t failed(void* ark, const CallbackData& data) {
+    return count(ARKStepGetNumErrTestFails, ark, "ARKStepGetNumErrTestFails", data) +
+           count(ARKStepGetNumStepSolveFails, ark, "ARKStepGetNumStepSolveFails", data);
+  }
 };
 
 // Diagonally implicit embedded pairs by Newton's method. Projection as in arkode.cpp.
-class Dirk {
+class Dirk : public ArkodePair<DirkCalls> {
  public:
-  Dirk(System& system, std::vector<double> z, double t, const Options& options)
-      : data_{system}, z_(std::move(z)), vector_(view(z_, context_)), t_(t) {
+  Dirk(System& system, std::vector<double> z, double t, const Options& options) : ArkodePair(system, std::move(z), t) {
     linear_.emplace(system, options, LinearSolver::Form::rates, vector_.get(), context_);
-    data_.state = &z_;
     data_.linear = &*linear_;
     memory_.reset(ARKStepCreate(nullptr, kanec_sundials_rates, t, vector_.get(), context_));
     if (!memory_) throw InternalError("ARKStepCreate failed");
@@ -38,34 +46,6 @@ class Dirk {
     require(ARKStepSetPostprocessStepFn(ark, kanec_arkode_project), "ARKStepSetPostprocessStepFn", data_);
   }
 
-  double t() const { return t_; }
-  const std::vector<double>& z() const { return z_; }
-  double norm_error() const { return data_.norm_error; }
-  std::int64_t failed() const { return failed_before_ + failed_; }
-  std::int64_t jacobians() const { return linear_->evaluations(); }
-
-  void begin(double t, const std::vector<double>& z, double h) {
-    failed_before_ += std::exchange(failed_, 0);
-    z_ = z;
-    t_ = t;
-    require(ARKStepReInit(memory_.get(), nullptr, kanec_sundials_rates, t, vector_.get()), "ARKStepReInit", data_);
-    require(ARKStepSetInitStep(memory_.get(), h), "ARKStepSetInitStep", data_);
-  }
-
-  void step(double limit) {
-    require(ARKStepSetStopTime(memory_.get(), limit), "ARKStepSetStopTime", data_);
-    data_.system.clear_fault();
-    double next = t_;
-    const int flag = ARKStepEvolve(memory_.get(), limit, vector_.get(), &next, ARK_ONE_STEP);
-    if (flag < 0) throw_step_failure("arkode_dirk", next, failed_in_rates(flag), data_);
-    require_progress("arkode_dirk", t_, next, data_);
-    t_ = next;
-    long error_test = 0, convergence = 0;
-    require(ARKStepGetNumErrTestFails(memory_.get(), &error_test), "ARKStepGetNumErrTestFails", data_);
-    require(ARKStepGetNumStepSolveFails(memory_.get(), &convergence), "ARKStepGetNumStepSolveFails", data_);
-    failed_ = error_test + convergence;
-  }
-
  private:
   // Of order 5 not the library's choice, whose errors on a stiff chain were 50 to 200 times as large at the same
   // tolerance, but Kennedy & Carpenter's of 2019.
@@ -76,16 +56,6 @@ class Dirk {
     else
       require(ARKStepSetOrder(ark, order), "ARKStepSetOrder", data_);
   }
-
-  CallbackData data_;
-  sundials::Context context_;
-  std::vector<double> z_;
-  VectorHandle vector_;
-  std::optional<LinearSolver> linear_;
-  std::unique_ptr<void, StepDeleter> memory_;
-  double t_;
-  std::int64_t failed_before_ = 0;
-  long failed_ = 0;  // since the last start
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Outcome {
   std::string stopped;        // why, with the time; empty: it ran to its end
   std::vector<KeptRow> rows;  // every n-th from t = 0 on, and the last
   std::optional<EnergyBalance> energy;
-  double worst_norm_error = 0.0;  // | |ε| - 1 | at the end of a step, before projection
+  double worst_norm_error = 0.0;  // | |ε| - 1 | at the end of a step, before any projection
   std::int64_t steps = 0;         // accepted
   std::int64_t evaluations = 0;   // of ẋ and ẏ
 

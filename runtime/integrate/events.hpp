@@ -11,7 +11,7 @@
 namespace kanec::integrate {
 
 struct Happening {
-  double t;   // [s]: the first double at which the crossing is over
+  double t;   // [s]: the crossing is over, and was not two roundings before (of the time where that step or row ends)
   int event;  // into the list of events
   bool up;
 };

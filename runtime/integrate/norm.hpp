@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "runtime/lanes/rk4_step.hpp"
+
 namespace kanec::integrate {
 
 // The larger of two magnitudes; once one is NaN it stays NaN, so that a comparison can hide nothing.
@@ -26,10 +28,8 @@ inline double norm_error(const double* z, std::span<const int> attitudes) noexce
 inline double normalise(double* z, std::span<const int> attitudes) noexcept {
   double worst = 0.0;
   for (const int at : attitudes) {
-    double* eps = z + at;
-    const double length = norm(eps);
+    const double length = kanec::normalise(z + at);
     worst = worse(worst, std::fabs(length - 1.0));
-    for (int i = 0; i < 4; ++i) eps[i] /= length;
   }
   return worst;
 }

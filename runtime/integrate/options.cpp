@@ -68,13 +68,13 @@ std::string name_in(const Table& table, Choice choice) {
   throw InternalError("a choice without a name");
 }
 
+// Of the methods that have one.
 void check_order(const Options& options) {
   const int order = arkode_order(options);
-  if (options.method == Method::arkode_dirk) {
-    if (order < 2 || order > 5) refuse("order", std::to_string(order), "0, 2, 3, 4, 5");
-  } else if (order != 4 && order != 5 && order != 6 && order != 8) {
+  if (options.method == Method::arkode_dirk && (order < 2 || order > 5))
+    refuse("order", std::to_string(order), "0, 2, 3, 4, 5");
+  if (options.method == Method::arkode && order != 4 && order != 5 && order != 6 && order != 8)
     refuse("order", std::to_string(order), "0, 4, 5, 6, 8");
-  }
 }
 
 }  // namespace

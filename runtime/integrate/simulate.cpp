@@ -83,9 +83,10 @@ class Run {
       for (const Event::Setting& setting : event.settings)
         inputs[static_cast<std::size_t>(setting.input)] = setting.value;
     }
+    // before the row, so that a run goes on from it with them
+    if (inputs != before) solver_.set_inputs(inputs);
     if (summary_.stopped || (has_row && t < next_row)) add_row(t, z);
     if (summary_.stopped || inputs == before) return !summary_.stopped;
-    solver_.set_inputs(inputs);
     stepper_.restart(t, z);
     watch_->inputs_changed(t, z);
     return true;

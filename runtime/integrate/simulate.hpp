@@ -36,7 +36,7 @@ struct Summary {
   std::optional<EnergyBalance> energy;
   std::optional<MomentumChange> linear_momentum;   // [kg m/s]
   std::optional<MomentumChange> angular_momentum;  // about the inertial origin [kg m²/s]
-  double worst_norm_error_before = 0.0;  // | |ε| - 1 | at the end of a step, before projection, over all steps
+  double worst_norm_error_before = 0.0;  // | |ε| - 1 | at the end of a step, before any projection, over all steps
   double worst_norm_error_after = 0.0;   // the same in the rows
   std::vector<Happening> events;         // in the order of time
   bool stopped = false;                  // by an event, before the duration

@@ -19,7 +19,7 @@ class StepBook {
   StepBook(std::int64_t max_steps, std::function<void(double)> at_time)
       : max_steps_(max_steps), at_time_(std::move(at_time)) {}
 
-  // An accepted step that ends at t, with | |ε| - 1 | before projection. Throws IntegrationError beyond max_steps.
+  // An accepted step that ends at t, with | |ε| - 1 | before any projection. Throws IntegrationError beyond max_steps.
   void accepted(double t, double norm_error);
 
   std::int64_t steps = 0;

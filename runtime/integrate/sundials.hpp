@@ -5,7 +5,10 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -37,14 +40,20 @@ struct CallbackData {
 extern "C" int kanec_sundials_rates(realtype t, N_Vector z, N_Vector zdot, void* data);
 extern "C" void kanec_sundials_message(int code, const char* module, const char* function, char* message, void* data);
 
-// Throws IntegrationError for a failed step: the rate that is not finite if `in_rates`, else the library's own words.
-[[noreturn]] void throw_step_failure(const char* library, double t, bool in_rates, const CallbackData& data);
-
-// Throws InternalError for a failed set-up call (flag < 0).
+// Throws InternalError for a failed call other than a step (flag < 0).
 void require(int flag, const char* call, const CallbackData& data);
 
-// Throws IntegrationError when the step from t to next did not move: the step size has collapsed, or a rate is not
-// finite.
-void require_progress(const char* library, double t, double next, const CallbackData& data);
+// A count that the library keeps.
+std::int64_t count(int (*get)(void*, long*), void* memory, const char* call, const CallbackData& data);
+
+struct Library {
+  const char* name;                 // in messages
+  std::span<const int> rate_flags;  // of a step that failed because a rate, or the residual, is not finite
+};
+
+// One step on from t: `take` makes it, writes where it ends, and returns the library's flag. Returns the end. Throws
+// IntegrationError for a failed step, with the rate that is not finite or the library's own words, and for one that did
+// not move: the step size has collapsed, or a rate is not finite.
+double take_step(const Library& library, double t, CallbackData& data, const std::function<int(double*)>& take);
 
 }  // namespace kanec::integrate

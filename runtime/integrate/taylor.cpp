@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
@@ -127,7 +127,8 @@ class Taylor final : public Stepper {
  private:
   // With the series in now_.
   void begin() {
-    if (const int bad = first_not_finite(now_); bad >= 0) fail(now_.t, bad, "is not finite");
+    if (const auto bad = first_not_finite(now_))
+      fail(now_.t, bad->component, bad->order < 2 ? "is not finite" : "has no Taylor series: it is not smooth there");
     next_.t = now_.t;
     find_step();
   }
@@ -148,8 +149,10 @@ class Taylor final : public Stepper {
   void find_step() {
     if (now_.t >= end_) return;
     for (std::size_t i = 0; i < largest_.size(); ++i) largest_[i] = std::max(largest_[i], std::fabs(now_.c[i]));
-    double h = step_of(now_.order);
+    double h = std::min(step_of(now_.order), end_ - now_.t);
+    const int shortest = worst_;
     order_ = next_order();
+    worst_ = shortest;
     for (;; h /= 2) {
       // the end is met exactly, and no sliver is left before it
       const double left = end_ - now_.t;
@@ -216,18 +219,22 @@ class Taylor final : public Stepper {
     return worst;
   }
 
-  static int first_not_finite(const Expansion<Real>& series) {
+  struct Coefficient {
+    int component, order;
+  };
+
+  static std::optional<Coefficient> first_not_finite(const Expansion<Real>& series) {
     const std::size_t size = series.rest.size();
     for (std::size_t i = 0; i < size * static_cast<std::size_t>(series.order + 1); ++i)
-      if (!std::isfinite(series.c[i])) return static_cast<int>(i % size);
-    return -1;
+      if (!std::isfinite(series.c[i])) return Coefficient{static_cast<int>(i % size), static_cast<int>(i / size)};
+    return std::nullopt;
   }
 
   // Whether the rates that next_ begins with are those that now_ ends with: but for what the terms left out and
   // rounding can do to a rate.
   bool is_continued() {
-    if (const int bad = first_not_finite(next_); bad >= 0) {
-      worst_ = bad;
+    if (const auto bad = first_not_finite(next_)) {
+      worst_ = bad->component;
       return false;
     }
     constexpr Real rounding = 1000 * std::numeric_limits<Real>::epsilon();

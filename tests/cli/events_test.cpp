@@ -75,7 +75,7 @@ TEST_F(Events, have_rows_and_set_columns) {
   const std::vector<std::string> rows = lines_of(answer.out);
   EXPECT_THAT(rows.at(0), testing::EndsWith(",work[J],k"));
   EXPECT_THAT(rows.at(2), testing::EndsWith(",0"));
-  EXPECT_THAT(rows.at(3), testing::StartsWith("0.544168627"));  // the bottom, while k was still 0
+  EXPECT_THAT(rows.at(3), testing::AllOf(testing::StartsWith("0.544168627"), testing::EndsWith(",20")));  // the bottom
   EXPECT_THAT(rows.at(4), testing::EndsWith(",20"));
   EXPECT_THAT(answer.err, HasSubstr("s: bottom, down, inputs set"));
 }
@@ -116,7 +116,7 @@ TEST_F(Events, of_a_resumed_run_are_the_rest) {
   };
   EXPECT_EQ(with({"whole.csv"}), 0);
   EXPECT_EQ(with({"part.csv", "--duration", "1"}), 0);
-  EXPECT_EQ(with({"part.csv", "--resume", "part.csv"}), 0);
+  EXPECT_EQ(with({"./part.csv", "--resume", "part.csv"}), 0);
   EXPECT_EQ(read_file(work() / "part.csv"), read_file(work() / "whole.csv"));
   const std::string text = read_file(work() / "whole.csv");
   write("cut.csv", text.substr(0, text.size() - 9));  // within the last row
@@ -124,6 +124,21 @@ TEST_F(Events, of_a_resumed_run_are_the_rest) {
   const std::vector<std::string> whole = lines_of(text), rest = lines_of(read_file(work() / "other.csv"));
   EXPECT_EQ(rest.back(), whole.back());
   EXPECT_LT(rest.size(), whole.size());
+}
+
+// The event is over there, and what it set is in its row.
+TEST_F(Events, of_a_run_that_goes_on_from_one_keep_what_it_set) {
+  const std::string scene = swing_with("");
+  EXPECT_EQ(kanec({"simulate", scene, "--csv", "whole.csv"}).status, 0);
+  const std::vector<std::string> whole = lines_of(read_file(work() / "whole.csv"));
+  write("cut.csv", whole[0] + "\n" + whole[1] + "\n" + whole[2] + "\n" + whole[3] + "\n");  // 3: the bottom
+  EXPECT_EQ(kanec({"simulate", scene, "--resume", "cut.csv", "--csv", "rest.csv"}).status, 0);
+  const std::vector<std::string> rest = lines_of(read_file(work() / "rest.csv"));
+  EXPECT_EQ(rest.size(), whole.size() - 2);  // the header and the row it goes on from stand in both
+  const auto angle = [](const std::string& row) { return std::stod(row.substr(row.find(',') + 1)); };
+  EXPECT_NEAR(angle(rest.back()), angle(whole.back()), 1e-8);
+  refuses({"simulate", scene, "--resume", "cut.csv", "--plot", "cut.csv"}, "--resume: found its file 'cut.csv'",
+          {"cut.csv", "rest.csv", "swing.toml", "whole.csv"});
 }
 
 TEST_F(Events, of_no_trajectory_are_no_start) {

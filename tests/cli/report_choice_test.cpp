@@ -79,6 +79,15 @@ TEST(Choice, is_told_with_the_command_to_type_or_with_the_cause) {
   EXPECT_THAT(recommendation(scene, 1e-13), HasSubstr("the reference is known to 1.0e-12"));
 }
 
+// The measured run took neither.
+TEST(Choice, does_not_leave_order_and_jacobian_to_the_scene) {
+  SceneRuns scene = some_runs();
+  scene.settings.order = 5;
+  scene.settings.jacobian = "differences";
+  scene.runs = {run(integrate::Method::arkode_dirk, 1e-9, 2e-3, 1e-9)};
+  EXPECT_THAT(recommendation(scene, 1e-6), HasSubstr("--integrator arkode_dirk --jacobian auto --order 0 --rtol"));
+}
+
 TEST(Choice, is_never_another_engine_but_stands_beside_it) {
   SceneRuns scene = some_runs();
   EXPECT_THAT(integration_text(scene, {}), testing::Not(HasSubstr("times as long")));
@@ -88,6 +97,9 @@ TEST(Choice, is_never_another_engine_but_stands_beside_it) {
             "for an error of 1e-06 at the end: cvode, rtol 1e-09, 2 ms (1.0e-09); Engine 1.0, Euler, h 0.1 s, 1 µs "
             "(1.0e-09): 0.0005 times as long");
   EXPECT_EQ(comparison(scene, 1e-10), "for an error of 1e-10 at the end: no run of another engine");
+  EXPECT_EQ(comparison(scene, 5e-12),
+            "for an error of 5e-12 at the end: no run, neither of kanec nor of another engine");
+  EXPECT_THAT(comparison(scene, 1e-13), HasSubstr("the reference is known to 1.0e-12"));
 }
 
 TEST(IntegrationText, shows_failures_with_their_cause) {
@@ -95,7 +107,7 @@ TEST(IntegrationText, shows_failures_with_their_cause) {
   EXPECT_THAT(integration_text(scene, {}), HasSubstr("cvode_bdf, rtol 1e-09: failed after 100 µs: it, \"stopped\""));
   EXPECT_THAT(integration_csv({scene}), HasSubstr(",\"it, \"\"stopped\"\"\"\n"));
   EXPECT_EQ(integration_json(scene, {}).at("runs").at(4).at("failure"), "it, \"stopped\"");
-  EXPECT_THAT(integration_markdown({scene}, {}, "kanec report", ""), HasSubstr("rtol 1e-09: it, \"stopped\""));
+  EXPECT_THAT(integration_markdown({scene}, {}, "kanec report"), HasSubstr("rtol 1e-09: it, \"stopped\""));
 }
 
 Bodies turned(long double angle) {

@@ -71,6 +71,14 @@ TEST_F(Report, has_lanes_and_float_beside_what_is_emitted_in_a_picture) {
   EXPECT_THAT(read_file(work() / "a.svg"), HasSubstr("pendulum: time against rounding error"));
 }
 
+TEST_F(Report, writes_what_is_timed_as_a_table_of_its_own) {
+  const Answer answer =
+      kanec({"report", model("pendulum"), "--functions", "energy", "--states", "1", "--timed", "--csv"});
+  EXPECT_THAT(answer.out, testing::StartsWith("model,function,variant,scalar,time[ns]"));
+  EXPECT_THAT(answer.out, HasSubstr("\npendulum,energy,emitted,double,"));
+  EXPECT_THAT(answer.out, HasSubstr("\npendulum,energy,float_lanes,float,"));
+}
+
 TEST_F(Report, finds_the_errors_that_check_finds) {
   const json checked = json_of({"check", model("free_body"), "--functions", "energy", "--json"}).at("functions").at(0);
   const json reported = json_of({"report", model("free_body"), "--functions", "energy", "--json"})
@@ -107,6 +115,9 @@ TEST_F(Report, refuses_what_it_does_not_know) {
   refuses({"report"}, "no scene is given");
   refuses({"report", model("pendulum"), "--json", "--csv"}, "found several of them");
   refuses({"report", model("pendulum"), "--functions", "acceleration"}, "function: found");
+  refuses({"report", "--hard", "--json", "--markdown"}, "found several of them");
+  for (const char* other : {"--peers", "--timed", "--csv", "--evaluation", "--limit=2", "--seed=2", "--error=1e-6"})
+    refuses({"report", "--hard", other}, "--hard: found it beside other reports");
 }
 
 TEST(HardStates, have_high_speeds_large_angles_and_unit_norms) {

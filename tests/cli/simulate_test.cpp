@@ -51,7 +51,7 @@ TEST_F(Simulate, energy_follows_the_work_and_the_summary_says_so) {
   EXPECT_LT(summary.at("norm_error").at("in_rows"), 1e-15);  // projected: some roundings
   const Answer text = kanec(run("six_body", {}));
   for (const char* word : {"steps", "evaluations of", "wall time", "energy change minus work", "linear momentum",
-                           "angular momentum", "not kept", "before projection"})
+                           "angular momentum", "not kept", "at the ends of steps"})
     EXPECT_THAT(text.out, HasSubstr(std::string(word) == "evaluations of" ? "evaluations" : word));
 }
 

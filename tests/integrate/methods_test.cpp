@@ -11,6 +11,8 @@
 namespace kanec::integrate::test {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -195,6 +197,23 @@ TEST(CvodeBdf, crosses_a_stiff_decay_in_few_steps) {
   EXPECT_LT(summary.steps, 1000);                                  // an explicit method needs 2 s × 1e5 / 3 or so
 }
 
+// Of steps whose last terms reach the tolerance, some ten.
+TEST(Taylor, keeps_the_tolerance_in_every_row) {
+  for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+    Options options = with(Method::taylor, tolerance);
+    options.output_step = 0.1;
+    EXPECT_LT(worst_error(options), 10.0 * tolerance) << tolerance;
+  }
+}
+
+TEST(Ida, keeps_the_tolerance_in_every_row) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    Options options = with(Method::ida, tolerance);
+    options.output_step = 0.1;
+    EXPECT_LT(worst_error(options), 500.0 * tolerance) << tolerance;
+  }
+}
+
 TEST(Cvode, starts_anew_when_the_norm_has_drifted) {
   Options options = with(Method::cvode, 1e-6);
   options.duration = 1000.0;
@@ -249,26 +268,64 @@ TEST(SixBodies, come_out_the_same_by_all_methods) {
   }
 }
 
-TEST(NotFinite, rate_stops_every_method_with_time_body_and_speed) {
+Summary faulty_run(Method method) {
   const Solver solver(six_bodies(Fault::not_finite));
+  return simulate(solver, six_body_coordinates(), six_body_speeds(), with(method, 1e-8));
+}
+
+TEST(NotFinite, rate_stops_a_run_with_time_body_and_speed) {
   for (const Method method :
-       {Method::rk4, Method::lie4, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf})
-    EXPECT_THAT([&] { simulate(solver, six_body_coordinates(), six_body_speeds(), with(method, 1e-8)); },
+       {Method::rk4, Method::lie4, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf, Method::ida})
+    EXPECT_THAT([&] { faulty_run(method); },
                 ThrowsMessage<IntegrationError>(
                     HasSubstr("integration stopped at t = 0.5 s: the rate of omega_3_2 is not finite")))
         << name_of(method);
 }
 
-TEST(Methods, stop_where_the_solution_ends) {
+// At the first stage beyond 0.5 s, a part of 1 ms after it.
+TEST(NotFinite, rate_stops_collocation_at_a_stage) {
+  for (const Method method : {Method::gauss4, Method::gauss6})
+    EXPECT_THAT([&] { faulty_run(method); },
+                ThrowsMessage<IntegrationError>(
+                    AllOf(HasSubstr("t = 0.500"), HasSubstr("the rate of omega_3_2 is not finite"))))
+        << name_of(method);
+}
+
+// Steps are halved until none is left: the motion until then is known.
+TEST(NotFinite, rate_is_where_taylor_steps_end) {
+  const State start = precession(0.0);
+  const Solver solver(single_body(Fault::not_finite));
+  EXPECT_THAT([&] { simulate(solver, start.x, start.y, with(Method::taylor, 1e-8)); },
+              ThrowsMessage<IntegrationError>(
+                  AllOf(AnyOf(HasSubstr("t = 0.5 s"), HasSubstr("t = 0.49999")), HasSubstr("the rate of omega_1_2 "))));
+}
+
+// d(sdot_1_1)/dt = sdot_1_1², infinite at t = 1 s.
+Summary run_over_the_end(Method method) {
   State start = precession(0.0);
-  start.y[3] = 1.0;  // infinite at t = 1 s
-  const Solver solver(single_body(Fault::blow_up));
-  for (const Method method : {Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf}) {
-    const auto run_over_the_end = [&] { simulate(solver, start.x, start.y, with(method, 1e-8)); };
-    EXPECT_THAT(run_over_the_end, ThrowsMessage<IntegrationError>(HasSubstr(": the step size has collapsed")));
-    EXPECT_THAT(run_over_the_end,
-                ThrowsMessage<IntegrationError>(::testing::AnyOf(HasSubstr("t = 1.0000"), HasSubstr("t = 0.9999"))));
+  start.y[3] = 1.0;
+  return simulate(Solver(single_body(Fault::blow_up)), start.x, start.y, with(method, 1e-8));
+}
+
+TEST(Methods, stop_where_the_solution_ends) {
+  for (const Method method :
+       {Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf, Method::ida, Method::taylor}) {
+    const char* cause = method == Method::taylor ? "the rate of sdot_1_1 changes so fast that no step is short enough"
+                                                 : ": the step size has collapsed";
+    EXPECT_THAT([&] { run_over_the_end(method); },
+                ThrowsMessage<IntegrationError>(
+                    AllOf(AnyOf(HasSubstr("t = 1.0000"), HasSubstr("t = 0.9999")), HasSubstr(cause))))
+        << name_of(method);
   }
+}
+
+// Steps of 1 ms: in the last one before the end the stages run away.
+TEST(Methods, of_collocation_stop_in_the_step_where_the_solution_ends) {
+  for (const Method method : {Method::gauss4, Method::gauss6})
+    EXPECT_THAT([&] { run_over_the_end(method); },
+                ThrowsMessage<IntegrationError>(AllOf(HasSubstr("t = 0.99"), HasSubstr("the stages of a step of 0.001"),
+                                                      HasSubstr("do not converge"))))
+        << name_of(method);
 }
 
 TEST(Methods, pass_on_what_the_library_says) {
@@ -278,11 +335,13 @@ TEST(Methods, pass_on_what_the_library_says) {
 }
 
 TEST(Methods, stop_at_the_step_limit) {
-  for (const Method method : {Method::rk4, Method::arkode, Method::cvode, Method::cvode_bdf}) {
-    Options options = with(method, 1e-8);
+  for (const std::string& name : method_names()) {
+    if (name == "taylor_extended") continue;  // as taylor, of a model with series in long double
+    Options options = with(method_of(name), 1e-8);
     options.max_steps = 7;
     EXPECT_THAT([&] { run(single_body(), options); },
-                ThrowsMessage<IntegrationError>(HasSubstr("the limit of 7 steps is reached")));
+                ThrowsMessage<IntegrationError>(HasSubstr("the limit of 7 steps is reached")))
+        << name;
   }
 }
 

@@ -195,15 +195,28 @@ TEST(Options, out_of_range_are_refused) {
   expect_refused([](Options& o) { o.absolute_tolerance = 1.0; },
                  "absolute tolerance: found 1; allowed: a number between");
   expect_refused([](Options& o) { o.order = 7; }, "order: found 7; allowed: 0, 4, 5, 6, 8");
+  expect_refused([](Options& o) { o.order = 6, o.method = Method::arkode_dirk; },
+                 "order: found 6; allowed: 0, 2, 3, 4, 5");
   expect_refused([](Options& o) { o.max_steps = 0; }, "max steps: found 0; allowed: at least 1");
+}
+
+TEST(Options, have_an_order_for_arkode_alone) {
+  for (const std::string& name : method_names()) {
+    if (name.rfind("arkode", 0) == 0) continue;
+    Options options;
+    options.method = method_of(name);
+    for (const int order : {3, 7}) {
+      options.order = order;
+      EXPECT_NO_THROW(check(options)) << name;
+    }
+  }
 }
 
 TEST(Options, name_their_methods) {
   for (const Method method : all_methods) EXPECT_EQ(method_of(name_of(method)), method);
-  EXPECT_THAT(
-      [] { method_of("euler"); },
-      ThrowsMessage<InputError>(
-          "integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, arkode_dirk, cvode, cvode_bdf, ida, taylor, taylor_extended"));
+  EXPECT_THAT([] { method_of("euler"); },
+              ThrowsMessage<InputError>("integrator: found 'euler'; allowed: rk4, lie4, gauss4, gauss6, arkode, "
+                                        "arkode_dirk, cvode, cvode_bdf, ida, taylor, taylor_extended"));
 }
 
 TEST(InitialState, that_cannot_be_used_is_refused) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "tests/integrate/body_series.hpp"
 #include "tests/integrate/output_fixture.hpp"
 
 namespace kanec::integrate::test {
@@ -39,7 +40,7 @@ struct BodyData {
 };
 struct OneBody {
   static constexpr int n = 1;
-  static constexpr std::array<BodyData, 1> bodies = {{{0, 2.0, {3.0, 3.0, 1.5}, {0, 0, 0}}}};
+  static constexpr std::array<BodyData, 1> bodies = {{{0, body_m, body_inertia, {0, 0, 0}}}};
 };
 struct SixBodies {
   static constexpr int n = 6;
@@ -124,6 +125,25 @@ void faulty_accelerations(const void* prepared, double t, const double* x, const
 }
 
 template <class Tree>
+void power(const void*, double, const double* x, const double* y, const double*, const double* u, double* out) {
+  const Motion<Tree> motion(x, y);
+  *out = 0.0;
+  for (std::size_t k = 0; k < Tree::n; ++k)
+    *out += dot(vec(u + 6 * k), motion.V[k]) + dot(vec(u + 6 * k + 3), vec(y + 3 * k));
+}
+
+// ẋ as kinematics, A ẏ − f with A = 1, power
+template <class Tree, Fault fault>
+void residual(const void* prepared, double t, const double* x, const double* y, const double* ydot, const double* u,
+              double* out) {
+  kinematics<Tree>(prepared, t, x, y, ydot, u, out);
+  double* r = out + 7 * Tree::n;
+  faulty_accelerations<Tree, fault>(prepared, t, x, y, ydot, u, r);
+  for (int i = 0; i < 6 * Tree::n; ++i) r[i] = ydot[i] - r[i];
+  power<Tree>(prepared, t, x, y, ydot, u, out + 13 * Tree::n);
+}
+
+template <class Tree>
 void energy(const void* prepared, double, const double* x, const double* y, const double*, const double*, double* out) {
   const Motion<Tree> motion(x, y);
   const Vec g = vec(static_cast<const double*>(prepared));
@@ -149,14 +169,6 @@ void momentum(const void*, double, const double* x, const double* y, const doubl
   put(angular, out + 3);
 }
 
-template <class Tree>
-void power(const void*, double, const double* x, const double* y, const double*, const double* u, double* out) {
-  const Motion<Tree> motion(x, y);
-  *out = 0.0;
-  for (std::size_t k = 0; k < Tree::n; ++k)
-    *out += dot(vec(u + 6 * k), motion.V[k]) + dot(vec(u + 6 * k + 3), vec(y + 3 * k));
-}
-
 void prepare(const double* parameters, void* prepared) { std::memcpy(prepared, parameters, 3 * sizeof(double)); }
 
 kanec_function function(const char* name, int n_out, kanec_evaluate evaluate) {
@@ -179,23 +191,28 @@ std::array<const char*, n> pointers(const std::vector<std::string>& names) {
   return result;
 }
 
+constexpr int all_functions = 6;
+
 // The descriptor with the arrays that it points to.
-template <class Tree>
+template <class Tree, Fault fault>
 struct Descriptor {
   std::array<const char*, 3> parameter_names = {"g_1", "g_2", "g_3"};
   std::array<double, 3> no_gravity{};
   std::array<const char*, 6 * Tree::n> input_names{};
   std::array<double, 6 * Tree::n> no_loads{};
-  std::array<kanec_function, 5> functions;
+  std::array<kanec_function, all_functions> functions;
   std::array<const char*, 7 * Tree::n> coordinate_names = pointers<7 * Tree::n>(names(Tree::n).coordinates);
   std::array<const char*, 6 * Tree::n> speed_names = pointers<6 * Tree::n>(names(Tree::n).speeds);
   std::array<kanec_attitude, Tree::n> attitudes{};
   kanec_model model{};
 
-  Descriptor(kanec_evaluate accelerate, int n_functions)
+  explicit Descriptor(int n_functions = all_functions)
       : functions{function("kinematics", 7 * Tree::n, kinematics<Tree>),
-                  function("accelerations", 6 * Tree::n, accelerate), function("power", 1, power<Tree>),
-                  function("energy", 2, energy<Tree>), function("momentum", 6, momentum<Tree>)} {
+                  function("accelerations", 6 * Tree::n, faulty_accelerations<Tree, fault>),
+                  function("power", 1, power<Tree>),
+                  function("energy", 2, energy<Tree>),
+                  function("momentum", 6, momentum<Tree>),
+                  function("kinematics_and_residual_and_power", 13 * Tree::n + 1, residual<Tree, fault>)} {
     input_names.fill("load");
     for (int k = 0; k < Tree::n; ++k) attitudes[static_cast<std::size_t>(k)] = {4 * k, 3 * k};
     model.abi_version = KANEC_ABI_VERSION;
@@ -219,15 +236,18 @@ struct Descriptor {
     model.speed_names = speed_names.data();
     model.n_attitudes = Tree::n;
     model.attitudes = attitudes.data();
+    if (Tree::n > 1 || n_functions < all_functions) return;
+    model.n_taylor = 1;
+    model.taylor = &single_body_series(fault);
   }
 };
 
 template <class Tree>
 const kanec_model& tree(Fault fault) {
-  static const Descriptor<Tree> none(accelerations<Tree>, 5);
-  static const Descriptor<Tree> not_finite(faulty_accelerations<Tree, Fault::not_finite>, 5);
-  static const Descriptor<Tree> blow_up(faulty_accelerations<Tree, Fault::blow_up>, 5);
-  static const Descriptor<Tree> stiff(faulty_accelerations<Tree, Fault::stiff>, 5);
+  static const Descriptor<Tree, Fault::none> none;
+  static const Descriptor<Tree, Fault::not_finite> not_finite;
+  static const Descriptor<Tree, Fault::blow_up> blow_up;
+  static const Descriptor<Tree, Fault::stiff> stiff;
   switch (fault) {
     case Fault::not_finite:
       return not_finite.model;
@@ -246,12 +266,12 @@ const kanec_model& single_body(Fault fault) { return tree<OneBody>(fault); }
 const kanec_model& six_bodies(Fault fault) { return tree<SixBodies>(fault); }
 
 const kanec_model& bare_body() {
-  static const Descriptor<OneBody> bare(accelerations<OneBody>, 2);
+  static const Descriptor<OneBody, Fault::none> bare(2);
   return bare.model;
 }
 
 const kanec_model& body_without_accelerations() {
-  static const Descriptor<OneBody> lacking(accelerations<OneBody>, 1);
+  static const Descriptor<OneBody, Fault::none> lacking(1);
   return lacking.model;
 }
 

@@ -9,26 +9,6 @@
 namespace kanec::test {
 namespace {
 
-compile::Options options() {
-  compile::Options options;
-  options.flags = {"-O0",     "-march=native", "-fno-math-errno", "-Wall",
-                   "-Wextra", "-Wconversion",  "-Wshadow",        "-Werror"};
-  options.flags_given = true;
-  // one cache for all tests of this build: each model is compiled once
-  options.cache = std::string(KANEC_BINARY_DIR) + "/tests/lanes_cache";
-  return options;
-}
-
-compile::Source source(const Generated& generated, const scene::Scene& scene, const std::string& main,
-                       const std::string& text) {
-  return {generated.name,
-          generated.hash,
-          n_coordinates(scene),
-          n_speeds(scene),
-          {{generated.name + ".hpp", generated.header}, {main, text}},
-          main};
-}
-
 // Those of `all`, values in that order, that the model names.
 std::vector<double> named(const std::vector<scene::Named>& all, const std::vector<double>& values,
                           const char* const* names, int count) {
@@ -43,16 +23,12 @@ std::vector<double> named(const std::vector<scene::Named>& all, const std::vecto
 
 }  // namespace
 
-compile::Model compiled(const Generated& generated, const scene::Scene& scene) {
-  return compile::build(source(generated, scene, generated.name + "_abi.cpp", generated.abi), options());
-}
-
 compile::Model compiled_in_lanes(const Generated& generated, const scene::Scene& scene, const LaneChoice& choice) {
   compile::Source batch = source(generated, scene, generated.name + "_batch.cpp", generated.batch);
   for (auto& file : lane_files()) batch.files.push_back(file);
   batch.flags = lane_flags(choice.scalar, choice.lanes);
   batch.is_batch = true;
-  return compile::build(batch, options());
+  return compile::build(batch, compile_options());
 }
 
 std::vector<double> read_parameters(const Sample& sample, const kanec_model& model) {

@@ -1,4 +1,4 @@
-// One model compiled twice, for one state and for many at once, and states to give to both. Not: any expectation.
+// A model compiled for many states at once, and states to give to it and to the solver of one. Not: any expectation.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "runtime/abi/solver.hpp"
 #include "runtime/compile/compile.hpp"
 #include "tests/lower/sample.hpp"
+#include "tests/support/compiled.hpp"
 
 namespace kanec::test {
 
@@ -19,7 +20,6 @@ struct LaneChoice {
   int lanes = 0;
 };
 
-compile::Model compiled(const Generated& generated, const scene::Scene& scene);
 compile::Model compiled_in_lanes(const Generated& generated, const scene::Scene& scene, const LaneChoice& choice);
 
 // Samples of one scene, in the layout of BatchStates.

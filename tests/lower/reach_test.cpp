@@ -42,6 +42,18 @@ TEST(Reach, estimates_the_mass_matrix_within_a_fifth) {
   }
 }
 
+// Of numbers alone, whatever their count; a turn below them makes them depend on the state.
+TEST(Reach, slides_have_numbers_between_them) {
+  scene::Scene scene = scene::from_connection(chain(300));
+  scene::Joint turn = scene.bodies[0].joint;
+  turn.ball = false, turn.slides.clear(), turn.turns.resize(1), turn.kind = "revolute";
+  for (scene::Body& body : scene.bodies)
+    body.joint.ball = false, body.joint.slides.resize(1), body.joint.kind = "prismatic";
+  EXPECT_EQ(mass_matrix_operations(scene), 0);
+  scene.bodies[99].joint = turn;
+  EXPECT_NEAR(static_cast<double>(mass_matrix_operations(scene)), 22.5 * 201 * 100, 1.0);
+}
+
 TEST(Reach, leaves_small_wishes_alone) {
   const Reach reach = within_reach(of_joints(20, "free"), {"residual", "mass_matrix"}, false);
   EXPECT_THAT(reach.names, ElementsAre("residual", "mass_matrix"));

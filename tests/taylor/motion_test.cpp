@@ -9,7 +9,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/norm.hpp"
 #include "runtime/integrate/simulate.hpp"
-#include "tests/taylor/compiled.hpp"
+#include "tests/support/compiled.hpp"
 
 namespace kanec::test {
 namespace {
@@ -131,6 +131,30 @@ TEST(TaylorMotion, halves_a_step_at_a_kink) {
   EXPECT_LT(summary.steps, 2000);
 }
 
+constexpr auto flying = R"(
+name = "flying"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 1.0
+inertia = [0, 0, 0]
+effort = "-max(0, s_1) * 1e6"
+[body.initial]
+s = -1.0
+sdot = 2.0
+)";
+
+// The series in free flight ends after its second term, and no step would be too long: half a swing of pi / 1000 s on
+// the spring, and back.
+TEST(TaylorMotion, a_flight_without_forces_ends_at_a_kink) {
+  const double swing = std::acos(-1.0) / 1000;
+  const Summary summary = Motion(std::string(flying)).run(options(Method::taylor, 1e-12, 1.0 + swing));
+  EXPECT_NEAR(summary.x[0], -1.0, 1e-9);
+  EXPECT_NEAR(summary.y[0], -2.0, 1e-9);
+  EXPECT_LT(summary.steps, 100);
+}
+
 constexpr auto falling_in = R"(
 name = "falling_in"
 connection = [0]
@@ -143,6 +167,14 @@ effort = "-1 / s_1^2"
 [body.initial]
 s = 1.0
 )";
+
+TEST(TaylorMotion, where_rates_are_finite_and_not_smooth_says_so) {
+  std::string rough(falling_in);
+  rough.replace(rough.find("-1 / s_1^2"), 10, "-sqrt(sdot_1^2)");
+  const Motion motion{rough};
+  EXPECT_THAT([&] { motion.run(options(Method::taylor, 1e-10, 2.0)); },
+              ThrowsMessage<IntegrationError>(HasSubstr("has no Taylor series: it is not smooth there")));
+}
 
 // Free fall into the centre takes pi / (2 sqrt 2) s.
 TEST(TaylorMotion, stops_at_a_singularity_and_tells_when) {

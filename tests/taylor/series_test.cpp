@@ -11,7 +11,7 @@
 #include "tests/emit/every_node.hpp"
 #include "tests/lower/sample.hpp"
 #include "tests/support/power_series.hpp"
-#include "tests/taylor/compiled.hpp"
+#include "tests/support/compiled.hpp"
 
 namespace kanec::test {
 namespace {

@@ -92,6 +92,7 @@ std::string command_of(const Options& options) {
   if (!options.functions.empty()) command += fmt::format(" --functions {}", fmt::join(options.functions, ","));
   if (!options.variants.empty()) command += fmt::format(" --variants {}", fmt::join(options.variants, ","));
   command += options.no_peers ? " --no-peers" : "";
+  command += build_text(options.build);
   command += options.build.no_cache ? " --no-cache" : "";
   command += is_standard_output(options.output) ? " --markdown" : " --markdown -o " + options.output;
   return options.svg.empty() ? command : command + " --svg " + options.svg;

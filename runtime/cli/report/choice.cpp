@@ -7,19 +7,26 @@
 
 #include "runtime/base/text.hpp"
 #include "runtime/cli/report/methods.hpp"
+#include "runtime/cli/report/pareto.hpp"
 #include "runtime/cli/svg.hpp"
 
 namespace kanec::cli {
 namespace {
 
+// What the scene's own settings would make of it is typed out.
 std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
   const integrate::Options& options = *run.options;
-  const std::string common =
-      fmt::format("kanec simulate {} --duration {} --output-step {} --integrator {}", scene.path,
-                  shortest(options.duration), shortest(options.output_step), name_of(options.method)) +
-      (is_by_differences(options) ? " --jacobian differences" : "");
+  std::string common = fmt::format("kanec simulate {} --duration {} --output-step {} --integrator {}", scene.path,
+                                   shortest(options.duration), shortest(options.output_step), name_of(options.method));
+  const std::string jacobian = is_by_differences(options) ? "differences" : "auto";
+  if (has_jacobian(options.method) && jacobian != scene.settings.jacobian) common += " --jacobian " + jacobian;
+  if (options.order != scene.settings.order) common += fmt::format(" --order {}", options.order);
   if (has_fixed_step(options.method)) return common + " --step " + shortest(options.step);
   return common + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
+}
+
+std::string unknown_below(const SceneRuns& scene) {
+  return fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
 }
 
 const IntegrationRun* most_accurate(const std::vector<IntegrationRun>& runs) {
@@ -36,14 +43,13 @@ std::string title_of(const IntegrationRun& run) {
 }
 
 void mark_front(std::vector<IntegrationRun>& runs, double least) {
-  const auto known = [least](const IntegrationRun& run) { return std::max(run.worst_error, least); };
-  const auto beats = [&](const IntegrationRun& a, const IntegrationRun& b) {
-    return a.ok() && known(a) <= known(b) && a.wall_seconds <= b.wall_seconds &&
-           (known(a) < known(b) || a.wall_seconds < b.wall_seconds);
+  const auto cost = [least](const IntegrationRun& run) {
+    return Cost{std::max(run.worst_error, least), run.wall_seconds};
   };
   for (IntegrationRun& run : runs)
-    run.is_on_front = run.ok() && std::none_of(runs.begin(), runs.end(),
-                                               [&](const IntegrationRun& other) { return beats(other, run); });
+    run.is_on_front = run.ok() && std::none_of(runs.begin(), runs.end(), [&](const IntegrationRun& other) {
+                        return other.ok() && beats(cost(other), cost(run));
+                      });
 }
 
 const IntegrationRun* fastest_within(const SceneRuns& scene, double error) {
@@ -68,6 +74,8 @@ std::string comparison(const SceneRuns& scene, double error) {
   };
   const IntegrationRun *ours = fastest(true), *theirs = fastest(false);
   const std::string wanted = fmt::format("for an error of {:.2g} at the end: ", error);
+  if (error < scene.reference_error) return wanted + unknown_below(scene);
+  if (!ours && !theirs) return wanted + "no run, neither of kanec nor of another engine";
   if (!ours || !theirs) return wanted + (theirs ? "no run of kanec" : "no run of another engine");
   return wanted + fmt::format("{}; {}: {:.3g} times as long", text(*ours), text(*theirs),
                               theirs->wall_seconds / ours->wall_seconds);
@@ -75,8 +83,7 @@ std::string comparison(const SceneRuns& scene, double error) {
 
 std::string recommendation(const SceneRuns& scene, double error) {
   const std::string wanted = fmt::format("for an error of {:.2g}: ", error);
-  if (error < scene.reference_error)
-    return wanted + fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
+  if (error < scene.reference_error) return wanted + unknown_below(scene);
   if (const IntegrationRun* run = fastest_within(scene, error))
     return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", title_of(*run), duration_text(run->wall_seconds),
                                 run->worst_error, command_of(scene, *run));

@@ -7,6 +7,7 @@
 
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/report/diagram.hpp"
+#include "runtime/cli/report/pareto.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -20,10 +21,9 @@ double shown_ulps(const VariantErrors& variant) { return std::max(variant.double
 
 // Among the variants of its function.
 bool is_on_front(const VariantErrors& one, const std::vector<VariantErrors>& all) {
+  const auto cost = [](const VariantErrors& variant) { return Cost{shown_ulps(variant), variant.nanoseconds}; };
   return std::none_of(all.begin(), all.end(), [&](const VariantErrors& other) {
-    const double a = shown_ulps(other), b = shown_ulps(one);
-    return other.function == one.function && a <= b && other.nanoseconds <= one.nanoseconds &&
-           (a < b || other.nanoseconds < one.nanoseconds);
+    return other.function == one.function && beats(cost(other), cost(one));
   });
 }
 

@@ -218,6 +218,15 @@ std::string evaluation_csv(const std::vector<SceneErrors>& scenes) {
   return text;
 }
 
+std::string variants_csv(const std::vector<SceneErrors>& scenes) {
+  std::string text = "model,function,variant,scalar,time[ns],median[ulps],largest[ulps],hard[ulps]\n";
+  for (const SceneErrors& scene : scenes)
+    for (const VariantErrors& v : scene.variants)
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", scene.model, v.function, v.name, v.is_float ? "float" : "double",
+                          v.nanoseconds, v.ulps.median, v.ulps.largest, v.ulps.hard);
+  return text;
+}
+
 std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const EvaluationOptions& options,
                                 const std::string& command) {
   std::string text =

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/report/choice.hpp"
 #include "runtime/cli/report/methods.hpp"
@@ -52,6 +53,7 @@ class Sweep {
         has_attitudes_(model.n_attitudes > 0),
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
     base_.events = watched_events(scene);
+    for (integrate::Event& event : base_.events) event.has_row = false;  // rows at the same times in every run
     base_.duration = options.duration.value_or(scene.simulation.duration);
     base_.relative_tolerance = scene.simulation.relative_tolerance;
     base_.absolute_tolerance = scene.simulation.absolute_tolerance;
@@ -89,7 +91,7 @@ class Sweep {
 
   static void require(double duration) {
     if (!(duration > 0.0) || !std::isfinite(duration))
-      throw InputError("duration: found " + std::to_string(duration) + "; allowed: a positive number");
+      throw InputError("duration: found " + shortest(duration) + "; allowed: a positive number");
   }
 
   double total() const { return static_cast<double>(methods_.size()) + 1.0; }
@@ -150,7 +152,10 @@ class Sweep {
     IntegrationRun run = run_with(trial.options);
     run.failure = trial.failure + (trial.out_of_time ? "; finer ones are left out" : "");
     run.wall_seconds = trial.wall_seconds;
-    if (trial.ok()) judge(trial, run);
+    if (trial.ok() && trial.rows.size() != reference_.rows.size())
+      run.failure = "an event ended it after " + std::to_string(trial.rows.size()) + " rows, the reference after " +
+                    std::to_string(reference_.rows.size());
+    if (run.ok()) judge(trial, run);
     runs_.push_back(std::move(run));
   }
 
@@ -214,6 +219,7 @@ SceneRuns integration_runs(const scene::Scene& scene, const kanec_model& model, 
                            const std::function<void(double)>& progress) {
   SceneRuns runs = Sweep(scene, model, options, progress).all();
   runs.model = scene.name;
+  runs.settings = scene.simulation;
   return runs;
 }
 

@@ -1,5 +1,5 @@
 // What accuracy costs in time with each integrator: runs over tolerances or steps against a reference. Not: how it is
-// shown (integration_text.hpp, work_precision.hpp).
+// shown (integration_text.hpp, integration_diagram.hpp).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace kanec::cli {
 
-// Tolerances 1e-4 … 1e-14; steps from about those of the coarsest on.
+// Tolerances 1e-4 … 1e-14, of Taylor series finer ones; steps from about those of the coarsest on.
 constexpr int coarsest_decade = 4, finest_decade = 14;
 constexpr int most_halvings = 14;
 
@@ -45,8 +45,8 @@ struct IntegrationRun {
   double end_error = 0.0, worst_error = 0.0;  // the same as one number (motion_error.hpp)
   std::optional<double> energy;               // change less work, worst over rows, beside the energies exchanged
   std::optional<double> momentum;             // change, worst over rows, where nothing acts from outside
-  std::optional<double> norm;                 // worst | |ε| - 1 | before projection, where there are Euler parameters
-  bool is_on_front = false;                   // no other run is both more accurate and faster
+  std::optional<double> norm;  // worst | |ε| - 1 | at the ends of steps, where there are Euler parameters
+  bool is_on_front = false;    // no other run is both more accurate and faster
 
   bool ok() const { return failure.empty(); }
 };
@@ -56,7 +56,9 @@ IntegrationRun run_with(const integrate::Options& options);
 
 struct SceneRuns {
   std::string model;
-  std::string path;  // as it was given, for a command to type
+  std::string path;            // as it was given, for a command to type
+  std::string picture;         // file of the diagram; empty: none
+  scene::Simulation settings;  // the scene's own
   double duration = 0.0;
   int rows = 0;
   MotionScales scales;

@@ -66,7 +66,7 @@ std::vector<std::string> advice(const SceneRuns& scene, std::optional<double> er
 }
 
 constexpr auto kept_text =
-    "energy, momentum: change beside its size; |eps|-1: before projection; *: no other is as fast and as accurate";
+    "energy, momentum: change beside its size; |eps|-1: at the ends of steps; *: no other is as fast and as accurate";
 
 // Of rows of one length, the columns in which one below the headings has something.
 std::vector<TextRow> without_empty_columns(const std::vector<TextRow>& rows, std::size_t n_headings) {
@@ -183,13 +183,13 @@ std::string markdown_table(const SceneRuns& scene) {
 constexpr auto page_head =
     R"(Each line is one run of the emitted model by one integrator with one tolerance or step, compared with a reference that is
 stated, at {} rows after the start. Wall times are the least of a few runs on one core of this machine: {}. Tolerances:
-1e-4 to 1e-14, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
+1e-4 to 1e-14, of Taylor series finer ones, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
 runs are left out once one took longer than the limit a run, which stands there as failed.
 
 - *error*: without unit, worst over the rows; *at the end*: the same there. Position, attitude (angle of the error
   rotation), speed and spin are the largest over bodies and rows, in their own units.
 - *energy*: change less work of the loads beside the energies exchanged; *momentum*: change beside its size, where
-  nothing acts from outside; *|eps|-1*: largest at the end of a step, before projection.
+  nothing acts from outside; *|eps|-1*: largest at the ends of steps, before any correction.
 - *Jacobians*: evaluations of emitted derivatives; those for differences count as evaluations of the rates.
 - `*` marks the Pareto front: no other run is as fast and as accurate.
 )";
@@ -250,14 +250,14 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes) {
 }
 
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
-                                 const std::string& command, const std::string& picture) {
+                                 const std::string& command) {
   std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
                      fmt::format(page_head, scenes.empty() ? 0 : scenes.front().rows, processor_name());
   for (const SceneRuns& scene : scenes) {
     text += fmt::format("\n## {}\n\n0 to {} s. {}. {}.\n\n", scene.model, shortest(scene.duration),
                         reference_text(scene), scales_text(scene));
-    if (!picture.empty())
-      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(picture).filename().string());
+    if (!scene.picture.empty())
+      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(scene.picture).filename().string());
     text += markdown_table(scene) + "\n";
     for (const std::string& line : advice(scene, error)) text += "- " + line + "\n";
   }

@@ -17,9 +17,9 @@ std::string integration_text(const SceneRuns& scene, std::optional<double> error
 Json integration_json(const SceneRuns& scene, std::optional<double> error);
 // A line a run, headings first.
 std::string integration_csv(const std::vector<SceneRuns>& scenes);
-// `command`: the one that writes this page; `picture`: its file, empty where there is none.
+// `command`: the one that writes this page, which stands beside its pictures.
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
-                                 const std::string& command, const std::string& picture);
+                                 const std::string& command);
 
 // The reference and its own error; what errors are measured by.
 std::string reference_text(const SceneRuns& scene);

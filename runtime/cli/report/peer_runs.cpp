@@ -20,6 +20,7 @@ void require_gravity_alone(const scene::Scene& scene) {
     return !is_zero(body.force) || !is_zero(body.moment);
   });
   if (is_loaded || !scene.loads.empty()) throw NotModelled("loads other than gravity");
+  if (!scene.events.empty()) throw NotModelled("events");
 }
 
 // One scene in one engine.

@@ -64,7 +64,7 @@ std::optional<Limit> limit_of(const Trials& trials, const integrate::Options& ba
     Trial trial = trials.once(at_level(base, family, step, level), limit);
     if (trial.out_of_time) break;
     if (!trial.ok()) continue;
-    if (before) {
+    if (before && before->rows.size() == trial.rows.size()) {
       const double change = distance(trial.rows, before->rows, scales_of(trial.rows));
       if (best && best->change < settled && !(change < best->change)) break;
       best = Limit{trial, setting_text(before->options), change};
@@ -107,7 +107,7 @@ Reference reference(const Trials& trials, const integrate::Options& base, double
                   best->coarser,
                   {},
                   0.0};
-  if (!check) return found;
+  if (!check || check->finest.rows.size() != found.rows.size()) return found;
   found.check = method_text(check->finest.options);
   found.check_difference = distance(check->finest.rows, found.rows, found.scales);
   return found;

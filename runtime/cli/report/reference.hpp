@@ -13,7 +13,7 @@ namespace kanec::cli {
 constexpr double rounding_of_double = 1e-15;
 
 struct Reference {
-  std::string description;  // "gauss6, steps of 0.0025 s"
+  std::string description;  // "gauss6, h 0.0025 s"
   std::vector<Bodies> rows;
   MotionScales scales;
   double own_error = 0.0;  // relative, worst over rows: change from the next coarser run of its kind, or rounding
@@ -29,7 +29,7 @@ Reference reference(const Trials& trials, const integrate::Options& base, double
 // Worst over rows, relative.
 double distance(const std::vector<Bodies>& rows, const std::vector<Bodies>& from, const MotionScales& scales);
 
-// "gauss6, steps of 0.0025 s"; "arkode, rtol 1e-13"
+// "gauss6, h 0.0025 s"; "arkode, rtol 1e-13"
 std::string method_text(const integrate::Options& options);
 // "h 0.0025 s"; "rtol 1e-13"
 std::string setting_text(const integrate::Options& options);

@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
+#include <deque>
+#include <filesystem>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -31,8 +32,8 @@ constexpr auto footer =
   kanec report models/bench_cr7 --evaluation --functions accelerations
   kanec report models/bench_* --evaluation --markdown -o docs/accuracy.md
 
-Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14, or steps halved
-again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
+Integration: the emitted model is compiled and run by every integrator over tolerances 1e-4 to 1e-14 (of
+Taylor series finer ones), or steps halved again and again, each compared at 20 rows with a reference that is stated, together with how well that is known. A run
 shows its wall time (the least of a few), steps, evaluations, worst and last error, what it kept of energy and momentum,
 or why it failed; cvode_bdf stands there with the emitted Jacobian and with differences. A recommendation names the
 fastest run for a wanted error, as a command to type. --plot draws wall time against error, a line an integrator, the
@@ -51,7 +52,7 @@ of a right angle, and of ten thousand radians), and compared with
 and beside it stands the error of the generic path in double, and the condition of A. `expected` is what the generator
 chooses by: the error that independent roundings of all operations would make. With --timed the emitted code is compiled:
 as it is, both algorithms, loops for size, lanes in double and in float, each with the time of one evaluation and its
-error from the generic path in 50 digits; --plot draws that.
+error from the generic path in 50 digits; --plot draws that, --csv writes it.
 
 Without --integration or --evaluation both are made; with --functions evaluation alone.
 
@@ -80,6 +81,8 @@ struct Findings {
   std::vector<SceneRuns> runs;
 };
 
+void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
+
 SceneErrors errors_of(const scene::Scene& scene, const Options& given, const Interrupts& interrupts) {
   EvaluationOptions options = given.evaluation;
   options.functions = Functions(scene).chosen(options.functions);
@@ -98,6 +101,19 @@ std::vector<std::string> arguments_of(const Options& options) {
   for (const std::string& word : options.scenes)
     for (const std::string& file : scene_files(word)) list.push_back(file);
   if (list.empty()) list.push_back("--connection " + options.connection);
+  return list;
+}
+
+// Of several scenes each has its name behind the file's.
+std::vector<std::string> picture_files(const Options& options, const std::vector<scene::Scene>& scenes) {
+  std::vector<std::string> list;
+  const std::filesystem::path plot = options.plot;
+  for (const scene::Scene& scene : scenes) {
+    const std::string name = plot.stem().string() + "_" + scene.name + plot.extension().string();
+    list.push_back(scenes.size() == 1 ? options.plot : (plot.parent_path() / name).string());
+    if (std::count(list.begin(), list.end(), list.back()) > 1)
+      refuse("--plot: found two scenes named " + scene.name, "a picture each");
+  }
   return list;
 }
 
@@ -143,7 +159,7 @@ std::string command_of(const Options& options) {
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
   if (options.with_peers) command += " --peers";
   if (!options.plot.empty()) command += " --plot " + options.plot;
-  return command + " --markdown";
+  return command + build_text(options.build) + " --markdown";
 }
 
 std::string as_text(const Findings& findings, const Options& options) {
@@ -170,8 +186,7 @@ std::string as_page(const Findings& findings, const Options& options) {
   std::string text;
   if (options.evaluates()) text += evaluation_markdown(findings.errors, options.evaluation, command);
   if (options.evaluates() && options.integrates()) text += "\n";
-  if (options.integrates())
-    text += integration_markdown(findings.runs, options.integration.error, command, options.plot);
+  if (options.integrates()) text += integration_markdown(findings.runs, options.integration.error, command);
   return text;
 }
 
@@ -179,28 +194,29 @@ std::string text_of(const Findings& findings, const Options& options) {
   if (options.json) return as_json(findings, options);
   if (options.markdown) return as_page(findings, options);
   if (!options.csv) return as_text(findings, options);
-  return options.evaluates() ? evaluation_csv(findings.errors) : integration_csv(findings.runs);
+  if (!options.evaluates()) return integration_csv(findings.runs);
+  return options.evaluation.is_timed ? variants_csv(findings.errors) : evaluation_csv(findings.errors);
 }
 
-void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
+void require_one_format(const Options& options) {
+  if (options.json + options.csv + options.markdown > 1)
+    refuse("--json, --csv, --markdown: found several of them", "one");
+}
 
 void check(const Options& options) {
   for (const std::string& name : options.integration.integrators) integrate::method_of(name);
-  if (options.json + options.csv + options.markdown > 1)
-    refuse("--json, --csv, --markdown: found several of them", "one");
+  require_one_format(options);
   if (options.evaluation_alone && options.integration_alone)
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   if (options.integration_alone && !options.evaluation.functions.empty())
     refuse("--functions: found it beside --integration", "with --evaluation");
   if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
-  if (options.evaluation.is_timed && (options.csv || !options.evaluates()))
-    refuse("--timed: found it beside --csv or --integration", "evaluation as text, --json, --markdown or --plot");
+  if (options.evaluation.is_timed && !options.evaluates())
+    refuse("--timed: found it beside --integration", "with --evaluation");
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
-  if (options.plot.empty()) return;
-  if (const std::size_t count = arguments_of(options).size(); count > 1)
-    refuse("--plot: found " + std::to_string(count) + " scenes", "one scene a picture");
-  if (options.plot == options.output) refuse("--plot, --output: found the same file", "a file each");
+  if (!options.plot.empty() && options.plot == options.output)
+    refuse("--plot, --output: found the same file", "a file each");
 }
 
 // Other engines that integrate.
@@ -214,9 +230,20 @@ std::vector<Peer> integrating_peers() {
   return list;
 }
 
+// What the other reports read.
+bool asks_for_more(const Options& options) {
+  const EvaluationOptions usual;
+  const IntegrationOptions& run = options.integration;
+  return !options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
+         options.integration_alone || options.with_peers || !options.evaluation.functions.empty() ||
+         options.evaluation.is_timed || options.evaluation.states != usual.states ||
+         options.evaluation.seed != usual.seed || !run.integrators.empty() || run.duration || run.error ||
+         run.limit != IntegrationOptions().limit;
+}
+
 int report_hard(const Options& options) {
-  if (!options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
-      options.integration_alone || !options.evaluation.functions.empty())
+  require_one_format(options);
+  if (asks_for_more(options))
     refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
   return hard::report_hard_cases(
       {options.scenes, options.brief, options.json, options.markdown, options.output, options.build});
@@ -230,13 +257,16 @@ int report(const Options& given) {
   if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
-  std::optional<AtomicFile> picture;
-  if (!options.plot.empty()) picture.emplace(options.plot);
-  const Findings findings = found(options, scenes);
-  if (picture) {
-    picture->write(options.draws_evaluation() ? evaluation_svg(findings.errors.front())
-                                              : integration_svg(findings.runs.front()));
-    picture->commit();
+  std::deque<AtomicFile> pictures;
+  std::vector<std::string> files;
+  if (!options.plot.empty()) files = picture_files(options, scenes);
+  for (const std::string& name : files) pictures.emplace_back(name);
+  Findings findings = found(options, scenes);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    pictures[i].write(options.draws_evaluation() ? evaluation_svg(findings.errors[i])
+                                                 : integration_svg(findings.runs[i]));
+    pictures[i].commit();
+    if (!options.draws_evaluation()) findings.runs[i].picture = files[i];
   }
   file.write(text_of(findings, options));
   file.commit();
@@ -285,7 +315,8 @@ void add_integration(CLI::App& command, Options& options) {
       ->group(group);
   command
       .add_option("--plot", options.plot,
-                  "wall time against error, as a picture; with --evaluation nanoseconds against ulps")
+                  "wall time against error, as a picture (of several scenes FILE_<scene>.svg each); with "
+                  "--evaluation nanoseconds against ulps")
       ->option_text("FILE.svg")
       ->group(group);
 }
