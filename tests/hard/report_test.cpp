@@ -57,7 +57,7 @@ class HardReport : public testing::Test {
 
 TEST_F(HardReport, of_a_folder_has_every_case_and_says_what_is_not_kept) {
   const std::string text = told({{folder()}}, 1);
-  EXPECT_THAT(text, HasSubstr("kept  rk4, step 0.1 s  9 s"));
+  EXPECT_THAT(text, HasSubstr("kept  rk4, h 0.1 s  9 s"));
   EXPECT_THAT(text, HasSubstr("lost  rk4"));
   EXPECT_THAT(text, HasSubstr("(1e-15) NOT KEPT"));
   EXPECT_THAT(text, testing::Not(HasSubstr("(0.001) NOT KEPT")));
@@ -65,13 +65,13 @@ TEST_F(HardReport, of_a_folder_has_every_case_and_says_what_is_not_kept) {
 
 TEST_F(HardReport, of_one_case_succeeds_where_all_is_kept) {
   EXPECT_THAT(told({{folder("kept")}}, 0), HasSubstr("kept  rk4"));
-  EXPECT_THAT(told({{folder("kept")}, true}, 0), HasSubstr("rk4, step 0.1 s  3 s"));
+  EXPECT_THAT(told({{folder("kept")}, true}, 0), HasSubstr("rk4, h 0.1 s  3 s"));
 }
 
 TEST_F(HardReport, as_page_and_for_machines_says_the_same) {
   HardOptions options{{folder()}};
   options.markdown = true;
-  EXPECT_THAT(told(options, 1), HasSubstr("| [kept](cases/kept): a body | rk4, step 0.1 s | 9 s | 90 |"));
+  EXPECT_THAT(told(options, 1), HasSubstr("| [kept](cases/kept): a body | rk4, h 0.1 s | 9 s | 90 |"));
   options.markdown = false;
   options.json = true;
   const nlohmann::json cases = nlohmann::json::parse(told(options, 1));

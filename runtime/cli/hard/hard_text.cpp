@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "runtime/cli/report/methods.hpp"
 #include "runtime/cli/table.hpp"
 
 namespace kanec::cli::hard {
@@ -16,13 +17,6 @@ std::string shown(double value) { return fmt::format("{:.2g}", value); }
 std::string shown(const Kept& kept) {
   return fmt::format("{} {}{}{} ({}){}", kept.what, shown(kept.found), kept.unit.empty() ? "" : " ", kept.unit,
                      shown(kept.most), kept.holds() ? "" : " NOT KEPT");
-}
-
-std::string method(const integrate::Options& options) {
-  const std::string name = integrate::name_of(options.method);
-  return integrate::has_fixed_step(options.method)
-             ? fmt::format("{}, step {} s", name, shown(options.step))
-             : fmt::format("{}, rtol {}", name, shown(options.relative_tolerance));
 }
 
 std::string kept(const Outcome& one) {
@@ -39,7 +33,7 @@ std::string rounding_text(const Rounding& r) {
 
 TextRow row(const HardCase& hard, const Outcome& one) {
   return {hard.name,
-          method(one.options),
+          method_text(one.options),
           fmt::format("{} s", shown(one.options.duration)),
           std::to_string(one.summary.steps),
           shown(one.summary.wall_seconds),

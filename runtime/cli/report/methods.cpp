@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/report/methods.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "runtime/cli/functions.hpp"
@@ -55,5 +57,12 @@ bool is_by_differences(const integrate::Options& options) {
 std::string name_of(const integrate::Options& options) {
   return name_of(options.method) + (is_by_differences(options) ? ", differences" : "");
 }
+
+std::string setting_text(const integrate::Options& options) {
+  if (has_fixed_step(options.method)) return fmt::format("h {:.3g} s", options.step);
+  return fmt::format("rtol {:.0e}", options.relative_tolerance);
+}
+
+std::string method_text(const integrate::Options& options) { return name_of(options) + ", " + setting_text(options); }
 
 }  // namespace kanec::cli

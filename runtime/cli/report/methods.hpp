@@ -27,5 +27,9 @@ std::vector<std::string> functions_called(const scene::Scene& scene, const std::
 bool is_by_differences(const integrate::Options& options);
 // "cvode_bdf, differences"
 std::string name_of(const integrate::Options& options);
+// "h 0.0025 s"; "rtol 1e-13"
+std::string setting_text(const integrate::Options& options);
+// "gauss6, h 0.0025 s"; "cvode_bdf, differences, rtol 1e-13"
+std::string method_text(const integrate::Options& options);
 
 }  // namespace kanec::cli

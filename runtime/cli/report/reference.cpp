@@ -84,13 +84,6 @@ double distance(const std::vector<Bodies>& rows, const std::vector<Bodies>& from
   return worst;
 }
 
-std::string setting_text(const integrate::Options& options) {
-  if (has_fixed_step(options.method)) return fmt::format("h {:.3g} s", options.step);
-  return fmt::format("rtol {:.0e}", options.relative_tolerance);
-}
-
-std::string method_text(const integrate::Options& options) { return name_of(options) + ", " + setting_text(options); }
-
 Reference reference(const Trials& trials, const integrate::Options& base, double step, double limit) {
   std::optional<Limit> best, check;
   for (const Family& family : families) {

@@ -29,9 +29,4 @@ Reference reference(const Trials& trials, const integrate::Options& base, double
 // Worst over rows, relative.
 double distance(const std::vector<Bodies>& rows, const std::vector<Bodies>& from, const MotionScales& scales);
 
-// "gauss6, h 0.0025 s"; "arkode, rtol 1e-13"
-std::string method_text(const integrate::Options& options);
-// "h 0.0025 s"; "rtol 1e-13"
-std::string setting_text(const integrate::Options& options);
-
 }  // namespace kanec::cli
