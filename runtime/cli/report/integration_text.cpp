@@ -181,10 +181,11 @@ std::string markdown_table(const SceneRuns& scene) {
 }
 
 constexpr auto page_head =
-    R"(Each line is one run of the emitted model by one integrator with one tolerance or step, compared with a reference that is
-stated, at {} rows after the start. Wall times are the least of a few runs on one core of this machine: {}. Tolerances:
-1e-4 to 1e-14, of Taylor series finer ones, the absolute ones in proportion as the scene has them; steps: halved again and again. A method's finer
-runs are left out once one took longer than the limit a run, which stands there as failed.
+    R"(Each line is one run of the emitted model by one integrator with one tolerance or step, compared with a reference that
+is stated, at {} rows after the start. Wall times are the least of a few runs on one core of this machine:
+{}. Tolerances: 1e-4 to 1e-14, of Taylor series finer ones, the absolute ones in proportion as the scene has them;
+steps: halved again and again. A method's finer runs are left out once one took longer than the limit a run, which
+stands there as failed.
 
 - *error*: without unit, worst over the rows; *at the end*: the same there. Position, attitude (angle of the error
   rotation), speed and spin are the largest over bodies and rows, in their own units.
