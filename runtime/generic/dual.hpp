@@ -111,11 +111,11 @@ struct Dual {
   friend Dual pow(const Dual& a, const Dual& b) {
     using std::log, std::pow;
     const Real power = pow(a.value, b.value);
-    Real rate(0);
+    Real slope(0);
     if (!is_exactly_zero(a.rate) && !is_exactly_zero(b.value))
-      rate += b.value * pow(a.value, b.value - Real(1)) * a.rate;
-    if (!is_exactly_zero(b.rate)) rate += power * log(a.value) * b.rate;
-    return {power, rate};
+      slope += b.value * pow(a.value, b.value - Real(1)) * a.rate;
+    if (!is_exactly_zero(b.rate)) slope += power * log(a.value) * b.rate;
+    return {power, slope};
   }
 };
 

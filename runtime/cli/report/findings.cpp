@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/cli/report/findings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "runtime/base/text.hpp"
+#include "runtime/cli/functions.hpp"
+#include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/model.hpp"
+#include "runtime/cli/output.hpp"
+#include "runtime/cli/progress.hpp"
+#include "runtime/cli/report/evaluation_text.hpp"
+#include "runtime/cli/report/integration_text.hpp"
+#include "runtime/cli/scene_argument.hpp"
+
+namespace kanec::cli {
+namespace {
+
+SceneErrors errors_of(const scene::Scene& scene, const ReportOptions& given, const Interrupts& interrupts) {
+  EvaluationOptions options = given.evaluation;
+  options.functions = Functions(scene).chosen(options.functions);
+  options.is_timed = options.is_timed || given.draws_evaluation();
+  options.build = given.build;
+  ProgressBar bar(scene.name);
+  return evaluation_errors(scene, options, [&](double fraction) {
+    interrupts.poll();
+    bar.show(fraction);
+  });
+}
+
+// Each scene as it is typed on a command line, in the order of load_all().
+std::vector<std::string> arguments_of(const ReportOptions& options) {
+  std::vector<std::string> list;
+  for (const std::string& word : options.scenes)
+    for (const std::string& file : scene_files(word)) list.push_back(file);
+  if (list.empty()) list.push_back("--connection " + options.connection);
+  return list;
+}
+
+SceneRuns runs_of(const scene::Scene& scene, const ReportOptions& options, const Interrupts& interrupts) {
+  const CompiledModel model =
+      build(scene, integration_functions(scene, options.integration), options.build, /*with_taylor=*/true);
+  ProgressBar bar(scene.name + ", integration");
+  return integration_runs(scene, model.library.abi(), options.integration, [&](double fraction) {
+    interrupts.poll();
+    bar.show(fraction);
+  });
+}
+
+// That writes the same page again, bar the times.
+std::string command_of(const ReportOptions& options) {
+  std::string command = "kanec report";
+  for (const std::string& scene : options.scenes) command += " " + scene;
+  if (!options.connection.empty()) command += " --connection " + options.connection;
+  if (!options.integrates()) command += " --evaluation";
+  if (!options.evaluates()) command += " --integration";
+  if (!options.evaluation.functions.empty())
+    command += fmt::format(" --functions {}", fmt::join(options.evaluation.functions, ","));
+  const EvaluationOptions usual;
+  if (options.evaluation.states != usual.states) command += fmt::format(" --states {}", options.evaluation.states);
+  if (options.evaluation.seed != usual.seed) command += fmt::format(" --seed {}", options.evaluation.seed);
+  if (options.evaluation.is_timed) command += " --timed";
+  const IntegrationOptions& run = options.integration;
+  if (!run.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(run.integrators, ","));
+  if (run.duration) command += " --duration " + shortest(*run.duration);
+  if (run.error) command += " --error " + shortest(*run.error);
+  if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
+  if (options.with_peers) command += " --peers";
+  if (!options.plot.empty()) command += " --plot " + options.plot;
+  return command + build_text(options.build) + " --markdown";
+}
+
+std::string as_text(const Findings& findings, const ReportOptions& options) {
+  std::string text;
+  for (std::size_t i = 0; i < std::max(findings.errors.size(), findings.runs.size()); ++i) {
+    if (i < findings.errors.size()) text += (text.empty() ? "" : "\n") + evaluation_text({findings.errors[i]});
+    if (i < findings.runs.size())
+      text += (text.empty() ? "" : "\n") + integration_text(findings.runs[i], options.integration.error);
+  }
+  return text;
+}
+
+std::string as_json(const Findings& findings, const ReportOptions& options) {
+  Json json = evaluation_json(findings.errors, options.evaluation);
+  for (std::size_t i = 0; i < findings.runs.size(); ++i) {
+    if (!options.evaluates()) json["scenes"].push_back({{"model", findings.runs[i].model}});
+    json["scenes"][i]["integration"] = integration_json(findings.runs[i], options.integration.error);
+  }
+  return json_text(json);
+}
+
+std::string as_page(const Findings& findings, const ReportOptions& options) {
+  const std::string command = command_of(options);
+  std::string text;
+  if (options.evaluates()) text += evaluation_markdown(findings.errors, options.evaluation, command);
+  if (options.evaluates() && options.integrates()) text += "\n";
+  if (options.integrates()) text += integration_markdown(findings.runs, options.integration.error, command);
+  return text;
+}
+
+}  // namespace
+
+Findings found(const ReportOptions& options, const std::vector<scene::Scene>& scenes) {
+  const Interrupts interrupts;
+  Findings findings;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options, interrupts));
+    if (!options.integrates()) continue;
+    findings.runs.push_back(runs_of(scenes[i], options, interrupts));
+    findings.runs.back().path = arguments_of(options)[i];
+  }
+  return findings;
+}
+
+std::string text_of(const Findings& findings, const ReportOptions& options) {
+  if (options.json) return as_json(findings, options);
+  if (options.markdown) return as_page(findings, options);
+  if (!options.csv) return as_text(findings, options);
+  if (!options.evaluates()) return integration_csv(findings.runs);
+  return options.evaluation.is_timed ? variants_csv(findings.errors) : evaluation_csv(findings.errors);
+}
+
+}  // namespace kanec::cli

@@ -1,0 +1,41 @@
+// What `kanec report` finds out about scenes, and as text, page, table or for machines. Not: the command line
+// (report.cpp).
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/cli/report/evaluation.hpp"
+#include "runtime/cli/report/integration.hpp"
+
+namespace kanec::cli {
+
+struct ReportOptions {
+  std::vector<std::string> scenes;
+  std::string connection;
+  bool evaluation_alone = false, integration_alone = false, with_peers = false, hard = false, brief = false;
+  EvaluationOptions evaluation;
+  IntegrationOptions integration;
+  BuildArguments build;
+  bool json = false, csv = false, markdown = false;
+  std::string output = "-", plot;
+
+  bool evaluates() const { return !integration_alone; }
+  bool integrates() const { return !evaluation_alone && (integration_alone || evaluation.functions.empty()); }
+  bool draws_evaluation() const { return !plot.empty() && !integrates(); }
+};
+
+// Both parts of one scene, as far as they are made.
+struct Findings {
+  std::vector<SceneErrors> errors;
+  std::vector<SceneRuns> runs;
+};
+
+// Progress is shown; Ctrl-C ends it.
+Findings found(const ReportOptions& options, const std::vector<scene::Scene>& scenes);
+
+// In the form that is asked for.
+std::string text_of(const Findings& findings, const ReportOptions& options);
+
+}  // namespace kanec::cli
