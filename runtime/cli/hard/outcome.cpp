@@ -43,7 +43,7 @@ class Samples {
       : scene_(scene), every_(std::max<std::int64_t>(1, rows / most)) {}
 
   void add(const integrate::Row& row) {
-    if (row_++ % every_ != 0 || states_.size() >= most) return;
+    if (row_++ % every_ != 0 || std::ssize(states_) >= most) return;
     State state = initial_state(scene_);
     state.t = row.t;
     state.x.assign(row.x.begin(), row.x.end());
@@ -53,7 +53,7 @@ class Samples {
   const std::vector<State>& states() const { return states_; }
 
  private:
-  static constexpr std::size_t most = 15;
+  static constexpr std::int64_t most = 15;
   const scene::Scene& scene_;
   std::int64_t every_, row_ = 0;
   std::vector<State> states_;
