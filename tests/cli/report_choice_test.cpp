@@ -89,6 +89,18 @@ TEST(Choice, does_not_leave_order_and_jacobian_to_the_scene) {
   EXPECT_THAT(recommendation(scene, 1e-6), HasSubstr("--integrator arkode_dirk --jacobian auto --order 0 --rtol"));
 }
 
+TEST(Choice, is_not_made_where_two_methods_differ_or_nothing_moves) {
+  SceneRuns scene = some_runs();
+  scene.is_disputed = true;
+  scene.reference = "taylor_extended, rtol 1e-17", scene.check = "gauss6, h 0.1 s";
+  scene.reference_error = scene.check_difference = 1.6;
+  EXPECT_THAT(recommendation(scene, 1e-6), HasSubstr("nothing can be said"));
+  EXPECT_THAT(reference_text(scene),
+              HasSubstr("no reference to be trusted: taylor_extended, rtol 1e-17 and gauss6, h 0.1 s"));
+  scene.scales = {};
+  EXPECT_THAT(recommendation(scene, 1e-6), HasSubstr("nothing moves"));
+}
+
 TEST(Choice, is_never_another_engine_but_stands_beside_it) {
   SceneRuns scene = some_runs();
   EXPECT_THAT(integration_text(scene, {}), testing::Not(HasSubstr("times as long")));

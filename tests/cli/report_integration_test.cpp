@@ -123,13 +123,7 @@ TEST_F(IntegrationReport, a_short_load_is_met_with_short_steps_by_every_method) 
   }
 }
 
-TEST_F(IntegrationReport, a_reference_that_another_method_disputes_recommends_nothing) {
-  const std::string hidden =
-      std::string(pulsed).replace(std::string(pulsed).find("effort"), 48, "effort = \"exp(-1e6*(t-3.3)^2)*1000\"");
-  const json report = runs_of(write("scene.toml", hidden), {"--integrators", "gauss6,arkode"});
-  if (report.at("reference").at("disputed").get<bool>()) EXPECT_TRUE(report.at("recommended").empty());
-}
-
+// Passages of zero ask for rows, which a report leaves out; all runs end at 1.55 s by the event.
 TEST_F(IntegrationReport, compares_rows_of_the_same_times_alone) {
   const std::string events =
       "[[event]]\nname = 'zero'\nexpression = 's_1'\nrow = true\n"

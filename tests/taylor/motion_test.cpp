@@ -168,7 +168,7 @@ effort = "-1 / s_1^2"
 s = 1.0
 )";
 
-constexpr auto dipping = R"(
+constexpr auto dipping = R"toml(
 name = "dipping"
 connection = [0]
 [[body]]
@@ -177,7 +177,7 @@ axis = "x"
 mass = 1.0
 inertia = [0, 0, 0]
 effort = "min(sin(3*t), 0.3)"
-)";
+)toml";
 
 // With 0.3 the series is a polynomial, whose step would go over all dips of the sine. sdot(10) by quadrature between
 // the kinks a = asin(0.3)/3, b = pi/3 - a, and so on: -1.6317775.
