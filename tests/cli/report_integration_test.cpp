@@ -160,6 +160,34 @@ TEST_F(IntegrationReport, draws_a_picture_a_scene_and_the_page_shows_them) {
   }
 }
 
+// The force is no number from 0.1 s on, so that no method gets through.
+TEST_F(IntegrationReport, of_several_scenes_says_why_one_failed_and_has_the_others) {
+  std::string failing = oscillator;
+  failing.replace(failing.find("oscillator"), 10, "failing");
+  failing.insert(failing.find("[body.initial]"), "effort = \"sqrt(0.1 - t)\"\n");
+  const std::string one = write("one.toml", failing), two = write("two.toml", oscillator);
+  const auto with = [&](const std::vector<std::string>& more, int status) {
+    std::vector<std::string> all = {"report", "--integration", "--integrators", "gauss6", "--duration", "0.2"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Answer answer = kanec(all);
+    EXPECT_EQ(answer.status, status) << answer.err;
+    EXPECT_THAT(answer.err, HasSubstr("no reference: "));
+    return answer;
+  };
+  const json scenes = json::parse(with({one, two, "--json"}, 1).out).at("scenes");
+  EXPECT_EQ(scenes.at(0).at("model"), "failing");
+  EXPECT_THAT(scenes.at(0).at("integration").at("failure").get<std::string>(), HasSubstr("no reference: "));
+  EXPECT_FALSE(scenes.at(1).at("integration").at("runs").empty());
+  EXPECT_THAT(with({one, two, "--markdown"}, 1).out, testing::AllOf(HasSubstr("## failing\n\nFailed: no reference: "),
+                                                                    HasSubstr("## oscillator\n\n0 to 0.2 s")));
+  const Answer text = with({one, two, "--plot", "runs.svg"}, 1);
+  EXPECT_THAT(text.out, testing::AllOf(testing::StartsWith("failing: integration failed: no reference: "),
+                                       HasSubstr("oscillator: integration from t = 0")));
+  EXPECT_THAT(text.err, HasSubstr("kanec: failing: no reference: "));
+  EXPECT_EQ(names(work()), (std::vector<std::string>{"one.toml", "runs_oscillator.svg", "two.toml"}));
+  EXPECT_THAT(with({one}, 2).out, IsEmpty());  // alone it is refused
+}
+
 TEST_F(IntegrationReport, counts_emitted_jacobians_beside_differences_of_rates) {
   const json runs = runs_of(write("scene.toml", oscillator), {"--integrators", "arkode,cvode_bdf"}).at("runs");
   std::map<std::string, int> seen;

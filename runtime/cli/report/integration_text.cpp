@@ -211,6 +211,7 @@ std::string scales_text(const SceneRuns& scene) {
 }
 
 std::string integration_text(const SceneRuns& scene, std::optional<double> error) {
+  if (!scene.failure.empty()) return fmt::format("{}: integration failed: {}\n", scene.model, scene.failure);
   std::string text =
       fmt::format("{}: integration from t = 0 to {} s\n{}\n{}\n{}\n\n{}", scene.model, shortest(scene.duration),
                   reference_text(scene), scales_text(scene), kept_text, runs_table(scene));
@@ -223,6 +224,7 @@ std::string integration_text(const SceneRuns& scene, std::optional<double> error
 }
 
 Json integration_json(const SceneRuns& scene, std::optional<double> error) {
+  if (!scene.failure.empty()) return Json::object({{"failure", scene.failure}});
   Json runs = Json::array();
   for (const IntegrationRun& run : scene.runs) runs.push_back(run_json(run));
   return {{"duration", scene.duration},
@@ -245,8 +247,10 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes) {
       "m],"
       "worst_attitude[rad],worst_speed[m/s],worst_spin[rad/s],end_error,end_position[m],end_attitude[rad],"
       "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
-  for (const SceneRuns& scene : scenes)
+  for (const SceneRuns& scene : scenes) {
     for (const IntegrationRun& run : scene.runs) text += csv_line(scene, run);
+    if (!scene.failure.empty()) text += csv_field(scene.model) + std::string(23, ',') + csv_field(scene.failure) + "\n";
+  }
   return text;
 }
 
@@ -255,6 +259,10 @@ std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::opti
   std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
                      fmt::format(page_head, scenes.empty() ? 0 : scenes.front().rows, processor_name());
   for (const SceneRuns& scene : scenes) {
+    if (!scene.failure.empty()) {
+      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, scene.failure);
+      continue;
+    }
     text += fmt::format("\n## {}\n\n0 to {} s. {}. {}.\n\n", scene.model, shortest(scene.duration),
                         reference_text(scene), scales_text(scene));
     if (!scene.picture.empty())

@@ -13,6 +13,7 @@
 #include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/model.hpp"
+#include "runtime/cli/output.hpp"
 #include "runtime/cli/report/evaluation_diagram.hpp"
 #include "runtime/cli/report/findings.hpp"
 #include "runtime/cli/report/integration_diagram.hpp"
@@ -51,7 +52,8 @@ chooses by: the error that independent roundings of all operations would make. W
 as it is, both algorithms, loops for size, lanes in double and in float, each with the time of one evaluation and its
 error from the generic path in 50 digits; --plot draws that, --csv writes it.
 
-Without --integration or --evaluation both are made; with --functions evaluation alone.
+Without --integration or --evaluation both are made; with --functions evaluation alone. Of several scenes one that fails
+says so in its place, and the exit status is 1.
 
 Hard cases: scenes with known answers, or of which physics keeps something, at their full length (minutes), with a table
 of what is kept to what; exit status 1 where one is not. --short takes the length of the tests
@@ -137,6 +139,7 @@ int report(const Options& given) {
   for (const std::string& name : files) pictures.emplace_back(name);
   Findings findings = found(options, scenes);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (!(options.draws_evaluation() ? findings.errors[i].failure : findings.runs[i].failure).empty()) continue;
     pictures[i].write(options.draws_evaluation() ? evaluation_svg(findings.errors[i])
                                                  : integration_svg(findings.runs[i]));
     pictures[i].commit();
@@ -144,7 +147,9 @@ int report(const Options& given) {
   }
   file.write(text_of(findings, options));
   file.commit();
-  return success;
+  const std::vector<std::string> failures = findings.failures();
+  for (const std::string& failure : failures) remark(failure);
+  return failures.empty() ? success : check_failed;
 }
 
 void add_parts(CLI::App& command, Options& options) {
