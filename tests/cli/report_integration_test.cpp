@@ -104,7 +104,11 @@ TEST_F(IntegrationReport, compares_rows_of_the_same_times_alone) {
   const std::string events =
       "[[event]]\nname = 'zero'\nexpression = 's_1'\nrow = true\n"
       "[[event]]\nname = 'end'\nexpression = 't - 1.55'\naction = 'stop'\n";
-  const json runs = runs_of(write("scene.toml", oscillator + events), {"--integrators", "arkode,rk4"}).at("runs");
+  const json report = runs_of(write("scene.toml", oscillator + events), {"--integrators", "arkode,rk4"});
+  const json& runs = report.at("runs");
+  EXPECT_EQ(report.at("duration"), 2.0);
+  EXPECT_NEAR(report.at("end").get<double>(), 1.55, 1e-14);  // some roundings
+  EXPECT_EQ(report.at("rows"), 16);                          // fifteen tenths, and where the event is
   for (const json& run : runs) {
     ASSERT_FALSE(run.contains("failure")) << run;
     EXPECT_LT(run.at("worst").at("relative"), 3) << run;
