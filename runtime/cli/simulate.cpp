@@ -200,9 +200,19 @@ State final_state(const scene::Scene& scene, const integrate::Summary& summary) 
   return {summary.t, summary.x, summary.y, {}, default_parameters(scene), inputs};
 }
 
+// An input that events set has a column, where its value is from.
+void refuse_set_columns(const Options& options, const scene::Scene& scene) {
+  for (const std::string& input : trajectory_names(scene).inputs)
+    for (const std::string& setting : options.settings)
+      if (setting.substr(0, setting.find('=')) == input)
+        throw InputError("--set: found '" + setting + "' beside --resume; allowed: inputs that are no column of " +
+                         options.resume + ", which holds the value of " + input);
+}
+
 // The scene's own start, or where a trajectory ends.
 Resumed start_of(const Options& options, const scene::Scene& scene, integrate::Options& run) {
   if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
+  refuse_set_columns(options, scene);
   Resumed resumed = read_trajectory(read_file(options.resume), options.resume, scene);
   run.start = resumed.state.t;
   run.work = resumed.work;

@@ -152,6 +152,14 @@ TEST_F(Events, of_a_run_that_goes_on_from_one_keep_what_it_set) {
           {"cut.csv", "rest.csv", "swing.toml", "whole.csv"});
 }
 
+TEST_F(Events, keep_inputs_of_a_trajectory_from_being_set) {
+  const std::string scene = swing_with("");
+  EXPECT_EQ(kanec({"simulate", scene, "--csv", "a.csv", "--duration", "1"}).status, 0);
+  refuses({"simulate", scene, "--resume", "a.csv", "--set", "k=3"},
+          "--set: found 'k=3' beside --resume; allowed: inputs that are no column of a.csv, which holds the value of k",
+          {"a.csv", "swing.toml"});
+}
+
 TEST_F(Events, of_no_trajectory_are_no_start) {
   const std::string scene = swing_with("");
   const std::string columns = "t[s],theta_1[rad],thetadot_1[rad/s],kinetic[J],potential[J],work[J]";
