@@ -235,6 +235,16 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
   refuses({"report", pendulum, "--evaluation", "--integration"}, "found it beside --integration; allowed: one of them");
   refuses({"report", pendulum, "--csv"}, "--csv: found two tables");
   refuses({"report", pendulum, "--evaluation", "--peers"}, "--peers: found it beside --evaluation");
+  for (const std::string option : {"--duration=1", "--error=1e-6", "--limit=2", "--integrators=rk4"}) {
+    const std::string found = option.substr(0, option.find('=')) + ": found it beside ";
+    refuses({"report", pendulum, "--evaluation", option}, found + "--evaluation; allowed: with integration");
+    refuses({"report", pendulum, "--functions", "energy", option}, found + "--functions; allowed: with integration");
+  }
+  for (const std::string option : {"--states=2", "--seed=2"})
+    refuses({"report", pendulum, "--integration", option},
+            ": found it beside --integration; allowed: with --evaluation");
+  for (const std::string list : {"rk4,,", ",rk4", ","})
+    refuses({"report", pendulum, "--integrators", list}, "--integrators: found an empty name in '" + list + "'");
   refuses({"report", pendulum, pendulum, "--plot", "a.svg"}, "--plot: found two scenes named pendulum");
   refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
   refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");

@@ -79,16 +79,49 @@ void require_one_format(const Options& options) {
     refuse("--json, --csv, --markdown: found several of them", "one");
 }
 
+// Of "a,b" given once or many times.
+std::vector<std::string> names_in(const std::vector<std::string>& lists, const std::string& option) {
+  std::vector<std::string> names;
+  for (const std::string& list : lists) {
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+      end = list.find(',', begin);
+      names.push_back(list.substr(begin, end == std::string::npos ? end : end - begin));
+      if (names.back().empty()) refuse(option + ": found an empty name in '" + list + "'", "names with commas between");
+    }
+  }
+  return names;
+}
+
+// Options of one part beside what makes the other alone.
+void require_their_part(const Options& options) {
+  const auto refuse_given = [](bool is_given, const std::string& name, const std::string& beside,
+                               const std::string& allowed) {
+    if (is_given) refuse(name + ": found it beside " + beside, allowed);
+  };
+  const IntegrationOptions& run = options.integration;
+  const EvaluationOptions& states = options.evaluation;
+  if (!options.integrates()) {
+    const std::string beside = options.evaluation_alone ? "--evaluation" : "--functions";
+    refuse_given(options.with_peers, "--peers", beside, "with integration");
+    refuse_given(!run.integrators.empty(), "--integrators", beside, "with integration");
+    refuse_given(run.duration.has_value(), "--duration", beside, "with integration");
+    refuse_given(run.error.has_value(), "--error", beside, "with integration");
+    refuse_given(run.limit != IntegrationOptions().limit, "--limit", beside, "with integration");
+  }
+  if (options.evaluates()) return;
+  refuse_given(!states.functions.empty(), "--functions", "--integration", "with --evaluation");
+  refuse_given(states.is_timed, "--timed", "--integration", "with --evaluation");
+  refuse_given(states.states != EvaluationOptions().states, "--states", "--integration", "with --evaluation");
+  refuse_given(states.seed != EvaluationOptions().seed, "--seed", "--integration", "with --evaluation");
+}
+
 void check(const Options& options) {
   for (const std::string& name : options.integration.integrators) integrate::method_of(name);
   require_one_format(options);
   if (options.evaluation_alone && options.integration_alone)
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
-  if (options.integration_alone && !options.evaluation.functions.empty())
-    refuse("--functions: found it beside --integration", "with --evaluation");
-  if (options.with_peers && !options.integrates()) refuse("--peers: found it beside --evaluation", "with integration");
-  if (options.evaluation.is_timed && !options.evaluates())
-    refuse("--timed: found it beside --integration", "with --evaluation");
+  require_their_part(options);
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
   if (!options.plot.empty() && options.plot == options.output)
@@ -129,6 +162,7 @@ int report(const Options& given) {
   Options options = given;
   if (options.hard) return report_hard(options);
   if (options.brief) refuse("--short: found it without --hard", "with --hard");
+  options.integration.integrators = names_in(given.integration.integrators, "--integrators");
   check(options);
   if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
@@ -174,7 +208,6 @@ void add_integration(CLI::App& command, Options& options) {
   command
       .add_option("--integrators", run.integrators,
                   fmt::format("these alone ({})", fmt::join(integrate::method_names(), ", ")))
-      ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
       ->option_text("a,b,...")
