@@ -249,7 +249,12 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
   refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
   refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");
   refuses({"report", pendulum, "--integration", "--duration", "-1"}, "duration: found -1");
-  refuses({"report", pendulum, "--integration", "--error", "0"}, "--error");
+  for (const std::string error : {"0", "-1", "nan", "inf"})
+    refuses({"report", pendulum, "--integration", "--error=" + error},
+            "--error: found " + error + "; allowed: a positive finite number");
+  for (const std::string limit : {"0", "1e-04", "1e+07"})
+    refuses({"report", pendulum, "--integration", "--limit=" + limit},
+            "--limit: found " + limit + "; allowed: from 0.001 to 1e6");
 }
 
 }  // namespace

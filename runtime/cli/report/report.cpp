@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <filesystem>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/kanec.hpp"
@@ -116,9 +118,16 @@ void require_their_part(const Options& options) {
   refuse_given(states.seed != EvaluationOptions().seed, "--seed", "--integration", "with --evaluation");
 }
 
+void require_sound_numbers(const IntegrationOptions& run) {
+  if (run.error && !(*run.error > 0.0 && std::isfinite(*run.error)))
+    refuse("--error: found " + shortest(*run.error), "a positive finite number");
+  if (!(run.limit >= 1e-3 && run.limit <= 1e6)) refuse("--limit: found " + shortest(run.limit), "from 0.001 to 1e6");
+}
+
 void check(const Options& options) {
   for (const std::string& name : options.integration.integrators) integrate::method_of(name);
   require_one_format(options);
+  require_sound_numbers(options.integration);
   if (options.evaluation_alone && options.integration_alone)
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   require_their_part(options);
@@ -214,11 +223,9 @@ void add_integration(CLI::App& command, Options& options) {
       ->group(group);
   command.add_option("--duration", run.duration, "from t = 0 (the scene's) [s]")->option_text("SECONDS")->group(group);
   command.add_option("--error", run.error, "to recommend an integrator for (1e-3, 1e-6, 1e-9 and 1e-12)")
-      ->check(CLI::PositiveNumber)
       ->option_text("NUMBER")
       ->group(group);
   command.add_option("--limit", run.limit, "wall time of one run, of the reference's five times that (1) [s]")
-      ->check(CLI::Range(1e-3, 1e6))
       ->option_text("SECONDS")
       ->group(group);
   command
