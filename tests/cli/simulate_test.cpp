@@ -199,12 +199,13 @@ TEST_F(Simulate, interrupted_run_leaves_its_rows_and_says_until_when) {
     while kill -0 $run && ! find "$0" -name 'long.csv.*' -size +0 | grep -q .; do sleep 0.05; done
     kill -TERM $run; wait $run)";
   const ProcessResult result = run_process({"/bin/sh", "-c", script, work().string(), KANEC_PROGRAM, "simulate",
-                                            model("free_body"), "--duration", "1e6", "--output-step", "1e-2",
+                                            model("free_body"), "--duration", "1e5", "--output-step", "1e-2",
                                             "--integrator", "rk4", "--step", "1e-2", "--csv", "long.csv"});
   EXPECT_EQ(result.status, 130) << result.output;
   EXPECT_EQ(names(work()), std::vector<std::string>{"long.csv"});
-  const std::string csv = read_file(work() / "long.csv"), end = cells(csv).back().front();
-  EXPECT_EQ(csv.back(), '\n');
+  const std::string csv = read_file(work() / "long.csv");
+  ASSERT_EQ(csv.back(), '\n');
+  const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1), end = last.substr(0, last.find(','));
   EXPECT_THAT(result.output, HasSubstr("kanec: interrupted; the rows until " + end +
                                        " s are in long.csv, and --resume long.csv goes on from there\n"));
 }
