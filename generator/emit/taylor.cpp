@@ -27,7 +27,7 @@ std::string head(const Model& model) {
 
 constexpr const char* meaning =
     R"(// Series in the time since t of z: x, y, and where the model has `power` the work of its loads; inputs are held. Of order
-// N at most; coefficient k of entry i stands at z[k * size + i]. Coefficient k of a result of the rates follows from
+// N at most; coefficient k of entry i stands at z[k * size + i], so that z has (order + 1) * size entries. Coefficient k of a result of the rates follows from
 // coefficients 0 ... k of what it is made of: of sums by itself; of products from what products of earlier coefficients
 // have added up to, s, and the newest coefficient of either factor times the value, v, of the other.
 )";

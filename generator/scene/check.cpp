@@ -111,6 +111,10 @@ void check_simulation(const Simulation& simulation, const PlaceOf& place_of) {
   check_positive(simulation.absolute_tolerance, place_of("absolute_tolerance"));
   check_count(simulation.duration, simulation.output_step, most_rows, "rows", place_of("output_step"));
   check_count(simulation.duration, simulation.step, most_steps, "steps", place_of("step"));
+  if (simulation.longest_step != 0) {
+    check_positive(simulation.longest_step, place_of("longest_step"));
+    check_count(simulation.duration, simulation.longest_step, most_steps, "steps", place_of("longest_step"));
+  }
   if (simulation.absolute_tolerance >= 1)
     fail(place_of("absolute_tolerance"), shortest(simulation.absolute_tolerance), "a positive number below 1");
   const double tightest = simulation.integrator.starts_with("taylor") ? 1e-20 : 1e-15;

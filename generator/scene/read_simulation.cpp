@@ -7,8 +7,8 @@ namespace kanec::scene {
 namespace {
 
 void refuse_other_keys(const Table& table, const std::vector<std::string>& more_keys) {
-  std::vector<std::string> keys = {"duration",           "output_step",        "integrator", "step",
-                                   "relative_tolerance", "absolute_tolerance", "jacobian",   "order"};
+  std::vector<std::string> keys = {"duration",           "output_step",  "integrator", "step", "relative_tolerance",
+                                   "absolute_tolerance", "longest_step", "jacobian",   "order"};
   keys.insert(keys.end(), more_keys.begin(), more_keys.end());
   table.only(keys);
 }
@@ -27,6 +27,7 @@ Simulation read_simulation(const Table& table, const Simulation& usual, const st
   real("step", out.step);
   real("relative_tolerance", out.relative_tolerance);
   real("absolute_tolerance", out.absolute_tolerance);
+  real("longest_step", out.longest_step);
   const auto name = [&table](const char* key, const std::vector<std::string>& known, std::string& value) {
     if (const auto found = table.find(key)) value = found->text(one_of(known, ""));
   };

@@ -51,6 +51,16 @@ std::vector<double> initial_speeds(const Scene& scene) {
 std::vector<double> default_parameters(const Scene& scene) { return values(scene.parameters); }
 std::vector<double> default_inputs(const Scene& scene) { return values(scene.inputs); }
 
+bool has_kinks(const Scene& scene) {
+  const auto is_kink = [](const ExpressionNode& node) {
+    return node.kind == ExpressionNode::Kind::call &&
+           (node.call == Call::abs || node.call == Call::min || node.call == Call::max);
+  };
+  return std::any_of(scene.expressions.begin(), scene.expressions.end(), [&](const Expression& expression) {
+    return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_kink);
+  });
+}
+
 std::vector<int> depth(const std::vector<int>& lower) {
   std::vector<int> u(lower.size(), 0);
   for (std::size_t k = 0; k < lower.size(); ++k)

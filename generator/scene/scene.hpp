@@ -48,6 +48,7 @@ struct Simulation {
   std::string integrator = "arkode";  // check.hpp has all
   double step = 0.001;                // of those with fixed steps [s]
   double relative_tolerance = 1e-9;   // of the others
+  double longest_step = 0.0;          // of these [s]; 0: as long as the error allows
   double absolute_tolerance = 1e-12;
   std::string jacobian = "auto";  // of arkode_dirk, cvode_bdf, ida
   int order = 0;                  // of arkode and arkode_dirk; 0: by itself
@@ -87,6 +88,9 @@ struct Scene {
   std::vector<std::string> notes;     // what was changed in reading (normalised Euler parameters)
   std::vector<std::string> warnings;  // what is odd but modelled (violated triangle inequality)
 };
+
+// Whether an expression is not smooth everywhere: abs, min, max.
+bool has_kinks(const Scene& scene);
 
 inline int size(const Scene& scene) { return static_cast<int>(scene.bodies.size()); }
 inline int n_coordinates(const Scene& scene) { return Layout(scene).nx; }

@@ -12,6 +12,8 @@ integrate::Options integration_options(const scene::Scene& scene, const scene::S
   options.duration = run.duration;
   options.output_step = run.output_step;
   options.step = run.step;
+  options.longest_step = run.longest_step;
+  options.has_kinks = scene::has_kinks(scene);
   options.relative_tolerance = run.relative_tolerance;
   options.absolute_tolerance = run.absolute_tolerance;
   options.jacobian = integrate::jacobian_of(run.jacobian);

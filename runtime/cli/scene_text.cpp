@@ -142,6 +142,7 @@ class Writer {
                          toml_real(run.duration), toml_real(run.output_step), run.integrator, toml_real(run.step));
     text_ += fmt::format("relative_tolerance = {}\nabsolute_tolerance = {}\njacobian = \"{}\"\norder = {}\n",
                          toml_real(run.relative_tolerance), toml_real(run.absolute_tolerance), run.jacobian, run.order);
+    if (run.longest_step != 0) text_ += fmt::format("longest_step = {}\n", toml_real(run.longest_step));
   }
 
   void write(const scene::Ensemble& ensemble) {

@@ -63,7 +63,7 @@ struct Options {
   SceneArgument scene;
   BuildArguments build;
   std::vector<std::string> settings;
-  std::optional<double> duration, output_step, step, relative_tolerance, absolute_tolerance;
+  std::optional<double> duration, output_step, step, longest_step, relative_tolerance, absolute_tolerance;
   std::optional<std::string> integrator, jacobian;
   std::optional<int> order;
   EnsembleArguments ensemble;
@@ -84,6 +84,7 @@ scene::Simulation simulation_of(const scene::Scene& scene, const Options& option
   overrule("output_step", "--output-step", options.output_step, run.output_step);
   overrule("integrator", "--integrator", options.integrator, run.integrator);
   overrule("step", "--step", options.step, run.step);
+  overrule("longest_step", "--longest-step", options.longest_step, run.longest_step);
   overrule("relative_tolerance", "--rtol", options.relative_tolerance, run.relative_tolerance);
   overrule("absolute_tolerance", "--atol", options.absolute_tolerance, run.absolute_tolerance);
   overrule("jacobian", "--jacobian", options.jacobian, run.jacobian);
@@ -308,6 +309,10 @@ void add_simulate(CLI::App& app, Action& action) {
                    "stiff scenes; taylor: for tight tolerances")
       ->option_text(fmt::format("{}", fmt::join(integrate::method_names(), "|")));
   command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
+  command
+      ->add_option("--longest-step", options->longest_step,
+                   "of those with error control, which may miss a load that is short (as long as the error allows) [s]")
+      ->option_text("SECONDS");
   command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
       ->option_text("N");
   command

@@ -33,6 +33,8 @@ class Erk : public ArkodePair<ErkCalls> {
     require(ERKStepSetOrder(erk, arkode_order(options)), "ERKStepSetOrder", data_);
     require(ERKStepSStolerances(erk, options.relative_tolerance, options.absolute_tolerance), "ERKStepSStolerances",
             data_);
+    require(ERKStepSetMaxStep(erk, options.longest_step), "ERKStepSetMaxStep", data_);
+    require(ERKStepSetMaxErrTestFails(erk, most_error_tests), "ERKStepSetMaxErrTestFails", data_);
     require(ERKStepSetPostprocessStepFn(erk, kanec_arkode_project), "ERKStepSetPostprocessStepFn", data_);
   }
 };

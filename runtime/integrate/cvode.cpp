@@ -55,6 +55,8 @@ class Cvode final : public Multistep {
     require(CVodeSetUserData(cvode, &data_), "CVodeSetUserData", data_);
     require(CVodeSStolerances(cvode, options.relative_tolerance, options.absolute_tolerance), "CVodeSStolerances",
             data_);
+    require(CVodeSetMaxStep(cvode, options.longest_step), "CVodeSetMaxStep", data_);
+    require(CVodeSetMaxErrTestFails(cvode, most_error_tests), "CVodeSetMaxErrTestFails", data_);
     if (is_bdf)
       set_newton(options);
     else

@@ -37,6 +37,8 @@ class Dirk : public ArkodePair<DirkCalls> {
     set_order(arkode_order(options));
     require(ARKStepSStolerances(ark, options.relative_tolerance, options.absolute_tolerance), "ARKStepSStolerances",
             data_);
+    require(ARKStepSetMaxStep(ark, options.longest_step), "ARKStepSetMaxStep", data_);
+    require(ARKStepSetMaxErrTestFails(ark, most_error_tests), "ARKStepSetMaxErrTestFails", data_);
     require(ARKStepSetLinearSolver(ark, linear_->solver(), linear_->matrix()), "ARKStepSetLinearSolver", data_);
     // The rate of convergence is remembered from stage to stage and step to step: where it was small once, the library
     // takes a first iterate unseen, also one by a matrix of another step size. Never below 1, it costs a fifth more

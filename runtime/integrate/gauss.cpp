@@ -126,7 +126,8 @@ class Gauss final : public FixedStep {
         const double change = std::fabs(h * (rate_[i] - rates_[j][i]));
         if (change > 0.0) {
           const double share = change / (least_size_ + size_[i] + std::fabs(h * rate_[i]));
-          if (!(share <= largest)) worst_ = static_cast<int>(i);
+          const bool is_state = static_cast<int>(i) < system().nx() + system().ny();
+          if (!(share <= largest) && (is_state || largest == 0.0)) worst_ = static_cast<int>(i);
           largest = worse(largest, share);
         }
         rates_[j][i] = rate_[i];
@@ -143,7 +144,7 @@ class Gauss final : public FixedStep {
   const Tableau<s>& tableau_;
   double least_size_;  // that changes are set beside: what rounding makes of a zero does not converge
   std::vector<double> last_step_ = {0.0};  // its length; one entry
-  int worst_ = 0;                          // component that changed most in the last sweep
+  int worst_ = 0;                          // component that changed most in the last sweep, of the state if any
   Compensated sum_;                        // over the steps
   std::vector<double> size_;               // largest magnitude of each component so far
   std::vector<double> stage_, rate_;

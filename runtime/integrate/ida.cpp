@@ -2,6 +2,10 @@
 #include <ida/ida.h>
 #include <ida/ida_ls.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/multistep.hpp"
 
@@ -30,6 +34,8 @@ class Ida final : public Multistep {
  public:
   Ida(System& system, std::vector<double> z, const Options& options, StepBook& book)
       : Multistep(ida_library, /*projects=*/false, system, std::move(z), options, book),
+        relative_(options.relative_tolerance),
+        absolute_(options.absolute_tolerance),
         zdot_(z_.size()),
         rate_vector_(view(zdot_, context_)) {
     if (!system.has_residual())
@@ -50,6 +56,8 @@ class Ida final : public Multistep {
     require(IDAInit(ida, kanec_ida_residual, t_, vector_.get(), rate_vector_.get()), "IDAInit", data_);
     require(IDASetUserData(ida, &data_), "IDASetUserData", data_);
     require(IDASStolerances(ida, options.relative_tolerance, options.absolute_tolerance), "IDASStolerances", data_);
+    require(IDASetMaxStep(ida, options.longest_step), "IDASetMaxStep", data_);
+    require(IDASetMaxErrTestFails(ida, most_error_tests), "IDASetMaxErrTestFails", data_);
     require(IDASetLinearSolver(ida, linear_->solver(), linear_->matrix()), "IDASetLinearSolver", data_);
     if (linear_->has_jacobian()) require(IDASetJacFn(ida, kanec_ida_jacobian), "IDASetJacFn", data_);
   }
@@ -71,6 +79,17 @@ class Ida final : public Multistep {
   void re_init() override {
     find_rates();
     require(IDAReInit(memory_.get(), t_, vector_.get(), rate_vector_.get()), "IDAReInit", data_);
+    set_first_step();
+  }
+
+  // The library begins with a change of half a tolerance, which takes less than a rounding of the time where a
+  // component passes zero and its tolerance is tiny.
+  void set_first_step() {
+    double fastest = 0.0;  // tolerances a second
+    for (std::size_t i = 0; i < z_.size(); ++i)
+      fastest = std::max(fastest, std::fabs(zdot_[i]) / (relative_ * std::fabs(z_[i]) + absolute_));
+    const double least = 1e3 * std::numeric_limits<double>::epsilon() * t_;
+    require(IDASetInitStep(memory_.get(), 0.5 < least * fastest ? least : 0.0), "IDASetInitStep", data_);
   }
 
   std::int64_t failed() override {
@@ -78,7 +97,8 @@ class Ida final : public Multistep {
            count(IDAGetNumStepSolveFails, memory_.get(), "IDAGetNumStepSolveFails", data_);
   }
 
-  std::vector<double> zdot_;  // the rates at z_
+  double relative_, absolute_;  // tolerances
+  std::vector<double> zdot_;    // the rates at z_
   VectorHandle rate_vector_;
   std::unique_ptr<void, IdaDeleter> memory_;
 };

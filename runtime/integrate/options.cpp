@@ -107,7 +107,7 @@ std::int64_t equal_steps(double stretch, double longest) {
 int arkode_order(const Options& options) {
   if (options.order != 0) return options.order;
   if (options.method == Method::arkode_dirk) return 5;
-  return options.relative_tolerance > 1e-6 ? 5 : 8;
+  return options.has_kinks || options.relative_tolerance > 1e-6 ? 5 : 8;
 }
 
 void check(const Options& options) {
@@ -121,6 +121,10 @@ void check(const Options& options) {
   require_resolvable("output step", options.output_step, options.duration);
   require_positive("step", options.step);
   require_resolvable("step", options.step, options.duration);
+  if (options.longest_step != 0.0) {
+    require_positive("longest step", options.longest_step);
+    require_resolvable("longest step", options.longest_step, options.duration);
+  }
   check_tolerance("relative tolerance", options.relative_tolerance);
   check_tolerance("absolute tolerance", options.absolute_tolerance);
   check_order(options);

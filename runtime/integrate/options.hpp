@@ -41,10 +41,13 @@ struct Options {
   double duration = 10.0;     // where the run ends, from t = 0 [s]
   double output_step = 0.01;  // between rows [s]; the last row stands at the duration
   double step = 1e-3;         // of fixed steps, the longest [s]: each row interval is divided evenly into such steps
+  double longest_step = 0.0;  // of the error-controlled methods [s]; 0: as long as the error allows
   double relative_tolerance = 1e-9;   // of the error-controlled methods, local error a step
   double absolute_tolerance = 1e-12;  // the same, in the unit of each component
-  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6, else 8. Of arkode_dirk: 2 to 5; 0 = 5
+  // of arkode: 4, 5, 6 or 8; 0 = 5 for relative tolerances above 1e-6 or with kinks, else 8. Of arkode_dirk: 2 to 5;
+  // 0 = 5
   int order = 0;
+  bool has_kinks = false;  // rates that are not smooth everywhere: Taylor series are compared with rates within a step
   JacobianChoice jacobian = JacobianChoice::automatic;
   std::int64_t max_steps = 100'000'000;
   std::vector<Event> events;  // watched for; by the entries of the model's function `events`

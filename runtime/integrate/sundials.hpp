@@ -17,6 +17,10 @@
 
 namespace kanec::integrate {
 
+// Trials of one step before it is given up: each is some times as short as the one before it. After a kink or a start
+// more may be needed than the libraries' 7 to 10.
+inline constexpr int most_error_tests = 40;
+
 struct VectorDeleter {
   void operator()(N_Vector vector) const { N_VDestroy(vector); }
 };

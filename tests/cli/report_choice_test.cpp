@@ -41,6 +41,7 @@ SceneRuns some_runs() {
   scene.model = "arm";
   scene.path = "models/arm";
   scene.reference_error = 1e-12;
+  scene.scales = {1.0, 1.0};
   scene.runs = {run(Method::arkode, 1e-4, 1e-3, 1e-5), run(Method::arkode, 1e-8, 3e-3, 1e-8),
                 run(Method::cvode, 1e-9, 2e-3, 1e-9), run(Method::cvode, 1e-12, 4e-3, 1e-11),
                 run(Method::cvode_bdf, 1e-9, 1e-4, 0.0)};

@@ -100,6 +100,36 @@ TEST_F(IntegrationReport, takes_every_integrator_and_recommends_a_run_within_the
 }
 
 // Passages of zero ask for rows, which a report leaves out; all runs end at 1.55 s by the event.
+constexpr auto pulsed = R"(name = "pulsed"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 1.0
+inertia = [0.0, 0.0, 0.0]
+effort = "max(0, 1 - 100*abs(t - 3.3))*1000"
+[simulate]
+duration = 10.0
+output_step = 1.0
+)";
+
+// 10 N s at 3.3 s, then 6.7 s at 10 m/s. Steps of up to 5 ms cannot miss it.
+TEST_F(IntegrationReport, a_short_load_is_met_with_short_steps_by_every_method) {
+  const std::string scene = write("scene.toml", pulsed);
+  for (const std::string& method : integrate::method_names()) {
+    const json end =
+        json_of({"simulate", scene, "--json", "--integrator", method, "--longest-step", "0.005"}).at("final");
+    EXPECT_NEAR(end.at("coordinates").at("s_1").get<double>(), 67.0, 1e-3) << method;
+  }
+}
+
+TEST_F(IntegrationReport, a_reference_that_another_method_disputes_recommends_nothing) {
+  const std::string hidden =
+      std::string(pulsed).replace(std::string(pulsed).find("effort"), 48, "effort = \"exp(-1e6*(t-3.3)^2)*1000\"");
+  const json report = runs_of(write("scene.toml", hidden), {"--integrators", "gauss6,arkode"});
+  if (report.at("reference").at("disputed").get<bool>()) EXPECT_TRUE(report.at("recommended").empty());
+}
+
 TEST_F(IntegrationReport, compares_rows_of_the_same_times_alone) {
   const std::string events =
       "[[event]]\nname = 'zero'\nexpression = 's_1'\nrow = true\n"

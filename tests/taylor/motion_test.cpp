@@ -168,6 +168,37 @@ effort = "-1 / s_1^2"
 s = 1.0
 )";
 
+constexpr auto dipping = R"(
+name = "dipping"
+connection = [0]
+[[body]]
+joint = "prismatic"
+axis = "x"
+mass = 1.0
+inertia = [0, 0, 0]
+effort = "min(sin(3*t), 0.3)"
+)";
+
+// With 0.3 the series is a polynomial, whose step would go over all dips of the sine. sdot(10) by quadrature between
+// the kinks a = asin(0.3)/3, b = pi/3 - a, and so on: -1.6317775.
+TEST(TaylorMotion, does_not_step_over_a_load_that_comes_back) {
+  const double pi = std::acos(-1.0), a = std::asin(0.3) / 3, end = 10.0;
+  double expected = 0.0;
+  for (int n = 0; n < 5; ++n) {
+    const double turn = 2 * pi / 3 * n, up = turn + a, down = turn + pi / 3 - a, next = turn + 2 * pi / 3;
+    const auto sine = [](double from, double to) { return (std::cos(3 * from) - std::cos(3 * to)) / 3; };
+    const auto till = [end](double t) { return std::min(t, end); };
+    expected += sine(till(turn), till(up)) + 0.3 * (till(down) - till(up)) + sine(till(down), till(next));
+  }
+  EXPECT_NEAR(expected, -1.6317775, 1e-7);
+  Options run = options(Method::taylor, 1e-12, end);
+  run.has_kinks = true;
+  const Motion motion{std::string(dipping)};
+  EXPECT_NEAR(motion.run(run).y[0], expected, 1e-10);
+  run.method = Method::taylor_extended;
+  EXPECT_NEAR(motion.run(run).y[0], expected, 1e-10);
+}
+
 TEST(TaylorMotion, where_rates_are_finite_and_not_smooth_says_so) {
   std::string rough(falling_in);
   rough.replace(rough.find("-1 / s_1^2"), 10, "-sqrt(sdot_1^2)");

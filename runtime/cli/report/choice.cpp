@@ -25,6 +25,10 @@ std::string command_of(const SceneRuns& scene, const IntegrationRun& run) {
   return common + fmt::format(" --rtol {:.0e} --atol {:.3g}", options.relative_tolerance, options.absolute_tolerance);
 }
 
+constexpr auto nothing_moves = "nothing moves; steps may have gone over a short load (simulate.longest_step)";
+
+bool is_still(const SceneRuns& scene) { return scene.scales.length == 0.0 && scene.scales.rate == 0.0; }
+
 std::string unknown_below(const SceneRuns& scene) {
   return fmt::format("nothing can be said, the reference is known to {:.1e}", scene.reference_error);
 }
@@ -74,6 +78,7 @@ std::string comparison(const SceneRuns& scene, double error) {
   };
   const IntegrationRun *ours = fastest(true), *theirs = fastest(false);
   const std::string wanted = fmt::format("for an error of {:.2g} at the end: ", error);
+  if (is_still(scene)) return wanted + nothing_moves;
   if (error < scene.reference_error) return wanted + unknown_below(scene);
   if (!ours && !theirs) return wanted + "no run, neither of kanec nor of another engine";
   if (!ours || !theirs) return wanted + (theirs ? "no run of kanec" : "no run of another engine");
@@ -83,6 +88,7 @@ std::string comparison(const SceneRuns& scene, double error) {
 
 std::string recommendation(const SceneRuns& scene, double error) {
   const std::string wanted = fmt::format("for an error of {:.2g}: ", error);
+  if (is_still(scene)) return wanted + nothing_moves;
   if (error < scene.reference_error) return wanted + unknown_below(scene);
   if (const IntegrationRun* run = fastest_within(scene, error))
     return wanted + fmt::format("{}, in {} (worst error {:.1e}): {}", title_of(*run), duration_text(run->wall_seconds),

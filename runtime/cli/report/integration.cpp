@@ -56,6 +56,8 @@ class Sweep {
         trials_(scene, model, [this] { progress_(done_ / total()); }) {
     base_.events = watched_events(scene);
     for (integrate::Event& event : base_.events) event.has_row = false;  // rows at the same times in every run
+    base_.longest_step = scene.simulation.longest_step;
+    base_.has_kinks = scene::has_kinks(scene);
     base_.duration = options.duration.value_or(scene.simulation.duration);
     base_.relative_tolerance = scene.simulation.relative_tolerance;
     base_.absolute_tolerance = scene.simulation.absolute_tolerance;
@@ -82,6 +84,7 @@ class Sweep {
     result.check = reference_.check;
     result.reference_error = reference_.own_error;
     result.check_difference = reference_.check_difference;
+    result.is_disputed = reference_.is_disputed;
     result.runs = std::move(runs_);
     mark_front(result.runs, result.reference_error);
     return result;

@@ -65,6 +65,7 @@ struct SceneRuns {
   MotionScales scales;
   std::string reference, coarser, check;  // as reference.hpp has them
   double reference_error = 0.0, check_difference = 0.0;
+  bool is_disputed = false;
   std::vector<IntegrationRun> runs;  // by method, coarse to fine
   std::string failure = {};          // why there is none of this; empty: there is
 };

@@ -209,6 +209,9 @@ std::string stretch_text(const SceneRuns& scene) {
 }
 
 std::string reference_text(const SceneRuns& scene) {
+  if (scene.is_disputed)
+    return fmt::format("no reference to be trusted: {} and {} differ by {}, more than either changes with its steps",
+                       scene.reference, scene.check, shown(scene.check_difference));
   std::string text = fmt::format("reference: {}; its own error {} (change from {})", scene.reference,
                                  shown(scene.reference_error), scene.coarser);
   return scene.check.empty() ? text
@@ -247,7 +250,8 @@ Json integration_json(const SceneRuns& scene, std::optional<double> error) {
             {"coarser", scene.coarser},
             {"error", scene.reference_error},
             {"check", scene.check},
-            {"check_difference", scene.check_difference}}},
+            {"check_difference", scene.check_difference},
+            {"disputed", scene.is_disputed}}},
           {"runs", std::move(runs)},
           {"recommended", recommendations_json(scene, error)}};
 }

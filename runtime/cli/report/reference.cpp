@@ -57,11 +57,12 @@ constexpr double settled = 1e-6;
 
 // Nothing where fewer than two runs get to the end in time.
 std::optional<Limit> limit_of(const Trials& trials, const integrate::Options& base, const Family& family, double step,
-                              double limit) {
+                              double limit, std::string& failures) {
   std::optional<Trial> before;
   std::optional<Limit> best;
   for (int level = 0; level < family.levels; ++level) {
     Trial trial = trials.once(at_level(base, family, step, level), limit);
+    if (!trial.ok() && level == 0) failures += "\n  " + method_text(trial.options) + ": " + trial.failure;
     if (trial.out_of_time) break;
     if (!trial.ok()) continue;
     if (before && before->rows.size() == trial.rows.size()) {
@@ -86,23 +87,29 @@ double distance(const std::vector<Bodies>& rows, const std::vector<Bodies>& from
 
 Reference reference(const Trials& trials, const integrate::Options& base, double step, double limit) {
   std::optional<Limit> best, check;
+  std::string failures;
   for (const Family& family : families) {
     if (check) break;
-    (best ? check : best) = limit_of(trials, base, family, step, limit);
+    (best ? check : best) = limit_of(trials, base, family, step, limit, failures);
   }
   if (!best)
-    throw IntegrationError(
-        fmt::format("no reference: no method gets through {} s twice in {} s each", base.duration, limit));
+    throw IntegrationError(fmt::format("no reference: no method gets through {} s; a shorter --duration may do{}",
+                                       base.duration, failures));
   Reference found{method_text(best->finest.options),
                   best->finest.rows,
                   scales_of(best->finest.rows),
                   std::max(best->change, rounding_of_double),
                   best->coarser,
                   {},
-                  0.0};
+                  0.0,
+                  false};
   if (!check || check->finest.rows.size() != found.rows.size()) return found;
   found.check = method_text(check->finest.options);
   found.check_difference = distance(check->finest.rows, found.rows, found.scales);
+  // each run's error is about its change from the coarser one, or below
+  constexpr double margin = 10.0;
+  found.is_disputed = !(found.check_difference <= margin * (found.own_error + check->change + rounding_of_double));
+  if (found.is_disputed) found.own_error = found.check_difference;
   return found;
 }
 

@@ -20,6 +20,7 @@ struct Reference {
   std::string coarser;     // that run
   std::string check;       // another method's best run; empty where none went through
   double check_difference = 0.0;  // from that
+  bool is_disputed = false;       // that is more than both can be off by: own_error is the difference
 };
 
 // `base`: duration, rows, tolerances of the scene; `step`: one that a loosely error-controlled run takes [s]; `limit`:
