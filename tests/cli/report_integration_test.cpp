@@ -278,7 +278,8 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
   refuses({"report", pendulum, pendulum, "--plot", "a.svg"}, "--plot: found two scenes named pendulum");
   refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
   refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");
-  refuses({"report", pendulum, "--integration", "--duration", "-1"}, "duration: found -1");
+  refuses({"report", pendulum, "--integration", "--duration", "-1"},
+          "--duration: found -1; allowed: a positive finite");
   for (const std::string error : {"0", "-1", "nan", "inf"})
     refuses({"report", pendulum, "--integration", "--error=" + error},
             "--error: found " + error + "; allowed: a positive finite number");

@@ -119,8 +119,12 @@ void require_their_part(const Options& options) {
 }
 
 void require_sound_numbers(const IntegrationOptions& run) {
-  if (run.error && !(*run.error > 0.0 && std::isfinite(*run.error)))
-    refuse("--error: found " + shortest(*run.error), "a positive finite number");
+  const auto require_positive = [](const std::optional<double>& value, const std::string& option) {
+    if (value && !(*value > 0.0 && std::isfinite(*value)))
+      refuse(option + ": found " + shortest(*value), "a positive finite number");
+  };
+  require_positive(run.duration, "--duration");
+  require_positive(run.error, "--error");
   if (!(run.limit >= 1e-3 && run.limit <= 1e6)) refuse("--limit: found " + shortest(run.limit), "from 0.001 to 1e6");
 }
 
