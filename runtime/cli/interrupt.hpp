@@ -5,12 +5,18 @@
 #include <signal.h>
 
 #include <exception>
+#include <string>
 
 namespace kanec::cli {
 
 class Interrupted : public std::exception {
  public:
-  const char* what() const noexcept override { return "interrupted"; }
+  // `more`: what is said behind "interrupted", of what is left of the work.
+  explicit Interrupted(const std::string& more = "") : message_("interrupted" + more) {}
+  const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  std::string message_;
 };
 
 // While one of these lives the signals are only noted, and poll() throws Interrupted after one came. A signal that our

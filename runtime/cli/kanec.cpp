@@ -110,8 +110,8 @@ int run(int argc, char** argv) noexcept {
   try {
     guard_standard_streams();
     return parse_and_act(argc, argv);
-  } catch (const Interrupted&) {
-    remark("interrupted");
+  } catch (const Interrupted& interruption) {
+    remark(interruption.what());
     return interrupted;
   } catch (const InternalError& error) {
     remark(std::string("a mistake in kanec itself: ") + error.what());

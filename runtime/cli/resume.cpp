@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/resume.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -32,12 +33,37 @@ std::optional<std::vector<double>> numbers_of(std::string_view line) {
   }
 }
 
-// The lines that end with a line feed, from `begin` on.
+// The lines that end with a line feed, without it and a carriage return before it.
 std::vector<std::string_view> full_lines(std::string_view text) {
   std::vector<std::string_view> lines;
-  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string_view::npos; begin = end + 1)
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string_view::npos; begin = end + 1) {
     lines.push_back(text.substr(begin, end - begin));
+    if (lines.back().ends_with('\r')) lines.back().remove_suffix(1);
+  }
   return lines;
+}
+
+std::vector<std::string_view> columns_of(std::string_view header) {
+  std::vector<std::string_view> columns;
+  std::size_t begin = 0, end;
+  for (; (end = header.find(',', begin)) != std::string_view::npos; begin = end + 1)
+    columns.push_back(header.substr(begin, end - begin));
+  columns.push_back(header.substr(begin));
+  return columns;
+}
+
+// By the first column that differs.
+void check_header(std::string_view found, std::string_view allowed, const std::string& file, const std::string& model) {
+  const std::vector<std::string_view> there = columns_of(found), wanted = columns_of(allowed);
+  const std::string trajectory = " of a trajectory of " + model;
+  for (std::size_t i = 0; i < std::max(there.size(), wanted.size()); ++i) {
+    const std::string column = "column " + std::to_string(i + 1);
+    if (i == there.size()) refuse(file, 1, "no " + column, scene::in_quotes(wanted[i]) + trajectory);
+    if (i == wanted.size())
+      refuse(file, 1, scene::in_quotes(there[i]) + " in " + column, std::to_string(i) + " columns" + trajectory);
+    if (there[i] != wanted[i])
+      refuse(file, 1, scene::in_quotes(there[i]) + " in " + column, scene::in_quotes(wanted[i]) + trajectory);
+  }
 }
 
 Resumed of_row(const std::vector<double>& row, const scene::Scene& scene, const integrate::StateNames& names) {
@@ -58,9 +84,8 @@ Resumed read_trajectory(std::string_view text, const std::string& file, const sc
   const integrate::StateNames names = trajectory_names(scene);
   const std::string header = integrate::csv_header(names, true);
   const std::vector<std::string_view> lines = full_lines(text);
-  if (lines.empty() || lines[0] != header)
-    refuse(file, 1, lines.empty() ? "no full line" : scene::in_quotes(lines[0]),
-           "the header of a trajectory of " + scene.name + ", " + scene::in_quotes(header));
+  if (lines.empty()) refuse(file, 1, "no full line", "the header of a trajectory of " + scene.name);
+  check_header(lines[0], header, file, scene.name);
   if (lines.size() < 2) refuse(file, 2, "no full row", "at least one");
   std::vector<double> row;
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -72,8 +97,7 @@ Resumed read_trajectory(std::string_view text, const std::string& file, const sc
     row = std::move(*numbers);
   }
   Resumed resumed = of_row(row, scene, names);
-  const std::size_t first = lines[0].size() + 1;
-  resumed.rows = text.substr(first, static_cast<std::size_t>(lines.back().data() - text.data()) - first);
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) resumed.rows.append(lines[i]).append("\n");
   return resumed;
 }
 

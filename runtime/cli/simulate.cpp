@@ -47,7 +47,8 @@ energy is no check. The CSV has a column a coordinate, speed and energy, with un
 `kanec eval --input` takes it.
 
 Where the scene has [[event]] tables the summary lists what happened when, and the CSV shows the inputs that events set.
-A run that fails says where, and leaves the rows until then; a longer run or a mended one goes on from the last of them
+A run that fails or is interrupted (Ctrl-C) says where, and leaves the rows until then; a longer run, a mended one or the
+same again goes on from the last of them
   kanec simulate models/pendulum --duration 5 --csv swing.csv
   kanec simulate models/pendulum --duration 9 --resume swing.csv --csv swing.csv
 
@@ -135,15 +136,16 @@ class Products {
   }
 
   void add(const integrate::Row& row) {
-    ++rows_;
+    end_ = row.t;
     if (csv_) csv_->add(row);
     if (plot_) plot_->add(row);
   }
 
-  // After a run that failed: the rows until there. Says whether there are any.
-  bool keep_rows() {
-    if (csv_ && rows_ > 0) csv_->finish();
-    return csv_ && rows_ > 0;
+  // After a run that failed or was interrupted: the rows until there. Says until when [s], where there are any.
+  std::optional<double> keep_rows() {
+    if (!csv_ || !end_) return std::nullopt;
+    csv_->finish();
+    return end_;
   }
 
   void finish(const Json& final_state) {
@@ -158,7 +160,7 @@ class Products {
   std::optional<integrate::Trajectory> csv_;
   std::optional<integrate::Plot> plot_;
   std::optional<AtomicFile> final_;
-  std::int64_t rows_ = 0;
+  std::optional<double> end_;  // time of the last row [s]
 };
 
 // What the integrator calls, and what the summary tells of.
@@ -199,9 +201,19 @@ State final_state(const scene::Scene& scene, const integrate::Summary& summary) 
   return {summary.t, summary.x, summary.y, {}, default_parameters(scene), inputs};
 }
 
+// An input that events set has a column, where its value is from.
+void refuse_set_columns(const Options& options, const scene::Scene& scene) {
+  for (const std::string& input : trajectory_names(scene).inputs)
+    for (const std::string& setting : options.settings)
+      if (setting.substr(0, setting.find('=')) == input)
+        throw InputError("--set: found '" + setting + "' beside --resume; allowed: inputs that are no column of " +
+                         options.resume + ", which holds the value of " + input);
+}
+
 // The scene's own start, or where a trajectory ends.
 Resumed start_of(const Options& options, const scene::Scene& scene, integrate::Options& run) {
   if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
+  refuse_set_columns(options, scene);
   Resumed resumed = read_trajectory(read_file(options.resume), options.resume, scene);
   run.start = resumed.state.t;
   run.work = resumed.work;
@@ -216,6 +228,14 @@ Resumed start_of(const Options& options, const scene::Scene& scene, integrate::O
   std::string message = error.what() + body_named(scene, error.what());
   if (products.keep_rows()) message += "; the rows until there are in " + options.csv;
   throw IntegrationError(message);
+}
+
+[[noreturn]] void tell_interruption(const Options& options, Products& products) {
+  const std::optional<double> end = products.keep_rows();
+  if (!end) throw Interrupted();
+  const std::string rows = "; the rows until " + shortest(*end) + " s are ";
+  if (is_standard_output(options.csv)) throw Interrupted(rows + "on standard output");
+  throw Interrupted(rows + "in " + options.csv + ", and --resume " + options.csv + " goes on from there");
 }
 
 int simulate_many(const Options& options, const scene::Scene& scene, const integrate::Options& run) {
@@ -244,6 +264,8 @@ int simulate_scene(const Options& options) {
     summary = integrate_model(model.library.abi(), set, resumed.state, run, products, interrupts);
   } catch (const IntegrationError& error) {
     tell_failure(error, options, scene, products);
+  } catch (const Interrupted&) {
+    tell_interruption(options, products);
   }
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
   const Json last = state_json(set, final_state(set, summary));

@@ -126,6 +126,17 @@ TEST_F(Events, of_a_resumed_run_are_the_rest) {
   EXPECT_LT(rest.size(), whole.size());
 }
 
+TEST_F(Events, of_a_run_that_goes_on_from_lines_of_windows_are_the_same) {
+  const std::string scene = swing_with("");
+  EXPECT_EQ(kanec({"simulate", scene, "--csv", "unix.csv", "--duration", "1"}).status, 0);
+  std::string text;
+  for (const std::string& line : lines_of(read_file(work() / "unix.csv"))) text += line + "\r\n";
+  write("windows.csv", text);
+  for (const std::string name : {"unix.csv", "windows.csv"})
+    EXPECT_EQ(kanec({"simulate", scene, "--resume", name, "--csv", name}).status, 0);
+  EXPECT_EQ(read_file(work() / "windows.csv"), read_file(work() / "unix.csv"));
+}
+
 // The event is over there, and what it set is in its row.
 TEST_F(Events, of_a_run_that_goes_on_from_one_keep_what_it_set) {
   const std::string scene = swing_with("");
@@ -141,12 +152,29 @@ TEST_F(Events, of_a_run_that_goes_on_from_one_keep_what_it_set) {
           {"cut.csv", "rest.csv", "swing.toml", "whole.csv"});
 }
 
+TEST_F(Events, keep_inputs_of_a_trajectory_from_being_set) {
+  const std::string scene = swing_with("");
+  EXPECT_EQ(kanec({"simulate", scene, "--csv", "a.csv", "--duration", "1"}).status, 0);
+  refuses({"simulate", scene, "--resume", "a.csv", "--set", "k=3"},
+          "--set: found 'k=3' beside --resume; allowed: inputs that are no column of a.csv, which holds the value of k",
+          {"a.csv", "swing.toml"});
+}
+
 TEST_F(Events, of_no_trajectory_are_no_start) {
   const std::string scene = swing_with("");
-  write("a.csv", "t[s],theta_1[rad]\n0,1\n");
-  refuses({"simulate", scene, "--resume", "a.csv"},
-          "a.csv:1: found \"t[s],theta_1[rad]\"; allowed: the header of a trajectory", {"a.csv", "swing.toml"});
-  const std::string header = "t[s],theta_1[rad],thetadot_1[rad/s],kinetic[J],potential[J],work[J],k\n";
+  const std::string columns = "t[s],theta_1[rad],thetadot_1[rad/s],kinetic[J],potential[J],work[J]";
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {"t[s],theta_1[rad]", "no column 3; allowed: \"thetadot_1[rad/s]\" of a trajectory of swing"},
+      {"t[s],theta_2[rad],thetadot_1[rad/s]", "\"theta_2[rad]\" in column 2; allowed: \"theta_1[rad]\""},
+      {columns, "no column 7; allowed: \"k\""},
+      {columns + ",k,F", "\"F\" in column 8; allowed: 7 columns of a trajectory of swing"}};
+  for (const auto& [found, message] : refused) {
+    write("a.csv", found + "\n0,1\n");
+    refuses({"simulate", scene, "--resume", "a.csv"}, "a.csv:1: found " + message, {"a.csv", "swing.toml"});
+  }
+  write("a.csv", "t[s]");
+  refuses({"simulate", scene, "--resume", "a.csv"}, "a.csv:1: found no full line", {"a.csv", "swing.toml"});
+  const std::string header = columns + ",k\n";
   write("a.csv", header);
   refuses({"simulate", scene, "--resume", "a.csv"}, "a.csv:2: found no full row", {"a.csv", "swing.toml"});
   write("a.csv", header + "0,nan,0,0,0,0,0\n");

@@ -128,7 +128,11 @@ TEST_F(IntegrationReport, compares_rows_of_the_same_times_alone) {
   const std::string events =
       "[[event]]\nname = 'zero'\nexpression = 's_1'\nrow = true\n"
       "[[event]]\nname = 'end'\nexpression = 't - 1.55'\naction = 'stop'\n";
-  const json runs = runs_of(write("scene.toml", oscillator + events), {"--integrators", "arkode,rk4"}).at("runs");
+  const json report = runs_of(write("scene.toml", oscillator + events), {"--integrators", "arkode,rk4"});
+  const json& runs = report.at("runs");
+  EXPECT_EQ(report.at("duration"), 2.0);
+  EXPECT_NEAR(report.at("end").get<double>(), 1.55, 1e-14);  // some roundings
+  EXPECT_EQ(report.at("rows"), 16);                          // fifteen tenths, and where the event is
   for (const json& run : runs) {
     ASSERT_FALSE(run.contains("failure")) << run;
     EXPECT_LT(run.at("worst").at("relative"), 3) << run;
@@ -184,6 +188,34 @@ TEST_F(IntegrationReport, draws_a_picture_a_scene_and_the_page_shows_them) {
   }
 }
 
+// The force is no number from 0.1 s on, so that no method gets through.
+TEST_F(IntegrationReport, of_several_scenes_says_why_one_failed_and_has_the_others) {
+  std::string failing = oscillator;
+  failing.replace(failing.find("oscillator"), 10, "failing");
+  failing.insert(failing.find("[body.initial]"), "effort = \"sqrt(0.1 - t)\"\n");
+  const std::string one = write("one.toml", failing), two = write("two.toml", oscillator);
+  const auto with = [&](const std::vector<std::string>& more, int status) {
+    std::vector<std::string> all = {"report", "--integration", "--integrators", "gauss6", "--duration", "0.2"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Answer answer = kanec(all);
+    EXPECT_EQ(answer.status, status) << answer.err;
+    EXPECT_THAT(answer.err, HasSubstr("no reference: "));
+    return answer;
+  };
+  const json scenes = json::parse(with({one, two, "--json"}, 1).out).at("scenes");
+  EXPECT_EQ(scenes.at(0).at("model"), "failing");
+  EXPECT_THAT(scenes.at(0).at("integration").at("failure").get<std::string>(), HasSubstr("no reference: "));
+  EXPECT_FALSE(scenes.at(1).at("integration").at("runs").empty());
+  EXPECT_THAT(with({one, two, "--markdown"}, 1).out, testing::AllOf(HasSubstr("## failing\n\nFailed: no reference: "),
+                                                                    HasSubstr("## oscillator\n\n0 to 0.2 s")));
+  const Answer text = with({one, two, "--plot", "runs.svg"}, 1);
+  EXPECT_THAT(text.out, testing::AllOf(testing::StartsWith("failing: integration failed: no reference: "),
+                                       HasSubstr("oscillator: integration from t = 0")));
+  EXPECT_THAT(text.err, HasSubstr("kanec: failing: no reference: "));
+  EXPECT_EQ(names(work()), (std::vector<std::string>{"one.toml", "runs_oscillator.svg", "two.toml"}));
+  EXPECT_THAT(with({one}, 2).out, IsEmpty());  // alone it is refused
+}
+
 TEST_F(IntegrationReport, counts_emitted_jacobians_beside_differences_of_rates) {
   const json runs = runs_of(write("scene.toml", oscillator), {"--integrators", "arkode,cvode_bdf"}).at("runs");
   std::map<std::string, int> seen;
@@ -227,11 +259,27 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
   refuses({"report", pendulum, "--evaluation", "--integration"}, "found it beside --integration; allowed: one of them");
   refuses({"report", pendulum, "--csv"}, "--csv: found two tables");
   refuses({"report", pendulum, "--evaluation", "--peers"}, "--peers: found it beside --evaluation");
+  for (const std::string option : {"--duration=1", "--error=1e-6", "--limit=2", "--integrators=rk4"}) {
+    const std::string found = option.substr(0, option.find('=')) + ": found it beside ";
+    refuses({"report", pendulum, "--evaluation", option}, found + "--evaluation; allowed: with integration");
+    refuses({"report", pendulum, "--functions", "energy", option}, found + "--functions; allowed: with integration");
+  }
+  for (const std::string option : {"--states=2", "--seed=2"})
+    refuses({"report", pendulum, "--integration", option},
+            ": found it beside --integration; allowed: with --evaluation");
+  for (const std::string list : {"rk4,,", ",rk4", ","})
+    refuses({"report", pendulum, "--integrators", list}, "--integrators: found an empty name in '" + list + "'");
   refuses({"report", pendulum, pendulum, "--plot", "a.svg"}, "--plot: found two scenes named pendulum");
   refuses({"report", pendulum, "--integration", "--functions", "energy"}, "--functions: found it beside --integration");
   refuses({"report", pendulum, "--integrators", "rk5"}, "integrator: found 'rk5'");
-  refuses({"report", pendulum, "--integration", "--duration", "-1"}, "duration: found -1");
-  refuses({"report", pendulum, "--integration", "--error", "0"}, "--error");
+  refuses({"report", pendulum, "--integration", "--duration", "-1"},
+          "--duration: found -1; allowed: a positive finite");
+  for (const std::string error : {"0", "-1", "nan", "inf"})
+    refuses({"report", pendulum, "--integration", "--error=" + error},
+            "--error: found " + error + "; allowed: a positive finite number");
+  for (const std::string limit : {"0", "1e-04", "1e+07"})
+    refuses({"report", pendulum, "--integration", "--limit=" + limit},
+            "--limit: found " + limit + "; allowed: from 0.001 to 1e6");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 
 #include "runtime/base/error.hpp"
 #include "runtime/cli/hard/outcome.hpp"
@@ -86,6 +87,24 @@ TEST_F(Running, a_bound_on_what_the_case_does_not_have_is_refused) {
   const HardCase hard = read(head + "[[run]]\nduration = 0.1\nkeeps = { attitude = 1 }\n");
   const CompiledModel model = compiled(hard);
   EXPECT_THROW(outcome(hard, hard.runs[0].full, model), SceneError);
+}
+
+TEST_F(Running, an_answer_that_is_not_of_the_scene_is_refused_with_its_line) {
+  const std::string run = "[[run]]\nduration = 0.1\nkeeps = { energy = 1 }\n";
+  const std::map<std::string, std::string> refused = {
+      {"kepplr", "answer: found \"kepplr\"; allowed: "},
+      {"kepler", "kepler: found another scene; allowed: "},
+      {"torque_free", "torque_free: found a start at rest"}};  // told by the first row
+  for (const auto& [answer, message] : refused) {
+    const HardCase hard = read(head + "answer = \"" + answer + "\"\n" + run);
+    const CompiledModel model = compiled(hard);
+    try {
+      outcome(hard, hard.runs[0].full, model);
+      ADD_FAILURE() << "nothing was thrown: " << answer;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(hard.file + ":3: " + message));
+    }
+  }
 }
 
 TEST_F(Running, a_run_that_stops_says_when_and_at_which_coordinate_of_which_body) {

@@ -86,6 +86,19 @@ TEST_F(HardReport, as_page_links_to_its_cases_from_where_it_stands) {
   EXPECT_THAT(report_markdown(reports, "", folder("lost")), HasSubstr("| [kept](../kept): a body |"));
 }
 
+TEST_F(HardReport, of_a_run_that_failed_shows_no_figures) {
+  Outcome failed;
+  failed.failure = "integration stopped";
+  failed.options.duration = 9.0;
+  const std::vector<CaseReport> reports = {{folder("kept"), read_hard_case(folder("kept")), {failed}}};
+  EXPECT_THAT(report_markdown(reports, "", folder()), HasSubstr("| 9 s |  |  |  |  | integration stopped |"));
+  EXPECT_THAT(report_text(reports), testing::ContainsRegex("9 s +integration stopped"));
+  const Json run = report_json(reports)[0].at("runs")[0];
+  EXPECT_EQ(run.at("failure"), "integration stopped");
+  for (const char* figure : {"steps", "evaluations", "wall_seconds", "emitted_ulps", "generic_ulps", "float_error"})
+    EXPECT_TRUE(run.at(figure).is_null()) << figure;
+}
+
 TEST_F(HardReport, refuses_a_folder_without_cases) {
   fs::create_directory(folder("empty"));
   EXPECT_THROW(report_hard_cases({{folder("empty")}}), InputError);

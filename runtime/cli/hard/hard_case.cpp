@@ -60,13 +60,16 @@ HardCase read_hard_case(const fs::path& folder) {
   HardCase hard;
   hard.name = (fs::absolute(folder) / "").lexically_normal().parent_path().filename().string();
   hard.scene = scene::read(folder / "scene.toml");
-  const std::string file = (folder / "hard.toml").string();
-  const toml::table table = parsed(read_file(file), file);
-  const Table root(table, {file}, "");
+  hard.file = (folder / "hard.toml").string();
+  const toml::table table = parsed(read_file(hard.file), hard.file);
+  const Table root(table, {hard.file}, "");
   root.only({"case", "source", "answer", "run"});
   hard.title = root.at("case", "what is hard, in a line").text("what is hard, in a line");
   hard.source = root.at("source", "where the answer is from").text("where the answer is from");
-  if (const auto answer = root.find("answer")) hard.answer = answer->text("the name of a known answer");
+  if (const auto answer = root.find("answer")) {
+    hard.answer = answer->text("the name of a known answer");
+    hard.answer_line = answer->place().line;
+  }
   for (const Node& run : root.at("run", "[[run]] tables").list("[[run]] tables"))
     hard.runs.push_back(read_run(run, hard.scene.simulation));
   return hard;

@@ -43,6 +43,8 @@ struct HardCase {
   std::string title, source, answer;
   scene::Scene scene;
   std::vector<Run> runs;
+  std::string file;     // hard.toml, as it was opened
+  int answer_line = 0;  // there
 };
 
 // Throws SceneError, FileError.

@@ -32,9 +32,11 @@ std::string rounding_text(const Rounding& r) {
 }
 
 TextRow row(const HardCase& hard, const Outcome& one) {
+  const std::string length = fmt::format("{} s", shown(one.options.duration));
+  if (!one.failure.empty()) return {hard.name, method_text(one.options), length, "", "", "", "", kept(one)};
   return {hard.name,
           method_text(one.options),
-          fmt::format("{} s", shown(one.options.duration)),
+          length,
           std::to_string(one.summary.steps),
           shown(one.summary.wall_seconds),
           rounding_text(one.accelerations),
@@ -85,6 +87,10 @@ in single precision, relative; "no" where it leaves fewer than three digits.
 
 Json report_json(const std::vector<CaseReport>& cases) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  // of a run that failed nothing was measured
+  const auto measured = [](const Outcome& outcome, const Json& value) {
+    return outcome.failure.empty() ? value : Json(nullptr);
+  };
   Json list = Json::array();
   for (const CaseReport& one : cases) {
     Json runs = Json::array();
@@ -95,14 +101,14 @@ Json report_json(const std::vector<CaseReport>& cases) {
             {{"what", k.what}, {"unit", k.unit}, {"found", number(k.found)}, {"most", k.most}, {"holds", k.holds()}});
       runs.push_back({{"integrator", integrate::name_of(outcome.options.method)},
                       {"duration", outcome.options.duration},
-                      {"steps", outcome.summary.steps},
-                      {"evaluations", outcome.summary.evaluations},
-                      {"wall_seconds", outcome.summary.wall_seconds},
+                      {"steps", measured(outcome, outcome.summary.steps)},
+                      {"evaluations", measured(outcome, outcome.summary.evaluations)},
+                      {"wall_seconds", measured(outcome, outcome.summary.wall_seconds)},
                       {"failure", outcome.failure},
                       {"kept", kept},
-                      {"emitted_ulps", number(outcome.accelerations.emitted)},
-                      {"generic_ulps", number(outcome.accelerations.generic)},
-                      {"float_error", number(outcome.accelerations.single)},
+                      {"emitted_ulps", measured(outcome, number(outcome.accelerations.emitted))},
+                      {"generic_ulps", measured(outcome, number(outcome.accelerations.generic))},
+                      {"float_error", measured(outcome, number(outcome.accelerations.single))},
                       {"holds", outcome.holds() && outcome.accelerations.holds()}});
     }
     list.push_back({{"case", one.hard.name}, {"title", one.hard.title}, {"source", one.hard.source}, {"runs", runs}});

@@ -90,11 +90,26 @@ std::vector<Kept> kept(const HardCase& hard, const Length& length, const std::ve
     const auto same = std::find_if(deviations.begin(), deviations.end(),
                                    [&](const Deviation& one) { return one.what == bound.what; });
     if (same == deviations.end())
-      scene::fail({hard.name + "/hard.toml", 0, "", "keeps"}, scene::in_quotes(bound.what),
-                  scene::one_of(known, bound.what));
+      scene::fail({hard.file, 0, "", "keeps"}, scene::in_quotes(bound.what), scene::one_of(known, bound.what));
     list.push_back({same->what, same->unit, same->value, bound.most});
   }
   return list;
+}
+
+// What `action` returns; what an answer refuses is told with the line that names the answer.
+template <class Action>
+auto by_answer(const HardCase& hard, const Action& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    throw InputError(scene::remark({hard.file, hard.answer_line}, error.what()));
+  }
+}
+
+// None where the case has none.
+std::unique_ptr<Answer> answer_of(const HardCase& hard) {
+  if (hard.answer.empty()) return nullptr;
+  return by_answer(hard, [&] { return answer(hard.answer, hard.scene); });
 }
 
 std::vector<Length> lengths(const HardCase& hard) {
@@ -127,13 +142,13 @@ Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel&
   result.options = integration_options(hard.scene, length.settings);
   const State start = initial_state(hard.scene);
   const Solver solver = solver_of(model.library.abi(), hard.scene, start);
-  const std::unique_ptr<Answer> known = hard.answer.empty() ? nullptr : answer(hard.answer, hard.scene);
+  const std::unique_ptr<Answer> known = answer_of(hard);
   Samples samples(hard.scene, integrate::RowTimes(result.options.duration, result.options.output_step).size());
   Drift drift;
   try {
     const auto add = [&](const integrate::Row& row) {
       if (row.energy) drift.add(row.t, row.energy->total() - row.work);
-      if (known) known->compare(row);
+      if (known) by_answer(hard, [&] { known->compare(row); });
       samples.add(row);
     };
     result.summary = integrate::simulate(solver, start.x, start.y, result.options, add, progress);

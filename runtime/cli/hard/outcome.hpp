@@ -34,7 +34,8 @@ struct Outcome {
 // The case's scene with all that its runs need. Throws InputError, BuildError, LoadError.
 CompiledModel compiled(const HardCase& hard, const BuildArguments& arguments = {});
 
-// `model` is that. Throws SceneError for a bound on what the case does not have.
+// `model` is that. Throws SceneError for a bound on what the case does not have, InputError where its answer is not of
+// the scene or the start.
 Outcome outcome(const HardCase& hard, const Length& length, const CompiledModel& model,
                 const std::function<void(double)>& progress = {});
 

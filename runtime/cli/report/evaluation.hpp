@@ -38,6 +38,7 @@ struct SceneErrors {
   double condition = 0.0, worst_condition = 0.0;  // of A with unit diagonal: median and largest over random states
   std::vector<FunctionErrors> functions;
   std::vector<VariantErrors> variants;  // where they are timed
+  std::string failure = {};             // why there is none of this; empty: there is
 };
 
 struct EvaluationOptions {

@@ -175,6 +175,10 @@ Sines and cosines are those of the machine's library, so that the last digit sho
 std::string evaluation_text(const std::vector<SceneErrors>& scenes) {
   std::string text;
   for (const SceneErrors& scene : scenes) {
+    if (!scene.failure.empty()) {
+      text += fmt::format("{}{}: evaluation failed: {}\n", text.empty() ? "" : "\n", scene.model, scene.failure);
+      continue;
+    }
     std::vector<TextRow> rows = {headings};
     for (const FunctionErrors& function : scene.functions)
       for (TextRow& row : rows_of(function)) rows.push_back(std::move(row));
@@ -188,6 +192,10 @@ std::string evaluation_text(const std::vector<SceneErrors>& scenes) {
 Json evaluation_json(const std::vector<SceneErrors>& scenes, const EvaluationOptions& options) {
   Json list = Json::array();
   for (const SceneErrors& scene : scenes) {
+    if (!scene.failure.empty()) {
+      list.push_back({{"model", scene.model}, {"failure", scene.failure}});
+      continue;
+    }
     Json functions = Json::array();
     for (const FunctionErrors& function : scene.functions) {
       Json ways = Json::array();
@@ -233,6 +241,10 @@ std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const Ev
       "# Accuracy of evaluation\n\nWritten by `" + command + "`.\n\n" + fmt::format(page_head, options.states);
   text += overview(scenes);
   for (const SceneErrors& scene : scenes) {
+    if (!scene.failure.empty()) {
+      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, scene.failure);
+      continue;
+    }
     text += fmt::format("\n## {}\n\n{} bodies, {} speeds; {}.\n", scene.model, scene.bodies, scene.speeds,
                         condition_of(scene));
     for (const FunctionErrors& function : scene.functions)

@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
+#include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
@@ -101,17 +103,51 @@ std::string as_page(const Findings& findings, const ReportOptions& options) {
   return text;
 }
 
+// What `make` returns, or why it failed where others may still be made.
+template <class Part>
+Part part_of(const scene::Scene& scene, bool is_alone, const std::function<Part()>& make) {
+  try {
+    return make();
+  } catch (const InternalError&) {
+    throw;
+  } catch (const Error& error) {
+    if (is_alone) throw;
+    Part failed;
+    failed.model = scene.name;
+    failed.failure = error.what();
+    return failed;
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> Findings::failures() const {
+  std::vector<std::string> list;
+  const auto add = [&list](const auto& part) {
+    if (!part.failure.empty()) list.push_back(part.model + ": " + part.failure);
+  };
+  for (const SceneErrors& part : errors) add(part);
+  for (const SceneRuns& part : runs) add(part);
+  return list;
+}
 
 Findings found(const ReportOptions& options, const std::vector<scene::Scene>& scenes) {
   const Interrupts interrupts;
+  const std::vector<std::string> arguments = arguments_of(options);
+  const bool is_alone = scenes.size() == 1;
   Findings findings;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (options.evaluates()) findings.errors.push_back(errors_of(scenes[i], options, interrupts));
+    const scene::Scene& scene = scenes[i];
+    if (options.evaluates())
+      findings.errors.push_back(
+          part_of<SceneErrors>(scene, is_alone, [&] { return errors_of(scene, options, interrupts); }));
     if (!options.integrates()) continue;
-    findings.runs.push_back(runs_of(scenes[i], options, interrupts));
-    findings.runs.back().path = arguments_of(options)[i];
+    findings.runs.push_back(part_of<SceneRuns>(scene, is_alone, [&] { return runs_of(scene, options, interrupts); }));
+    findings.runs.back().path = arguments[i];
   }
+  const std::vector<std::string> failures = findings.failures();
+  if (!failures.empty() && failures.size() == findings.errors.size() + findings.runs.size())
+    throw Error(failures.front());
   return findings;
 }
 

@@ -26,13 +26,15 @@ struct ReportOptions {
   bool draws_evaluation() const { return !plot.empty() && !integrates(); }
 };
 
-// Both parts of one scene, as far as they are made.
+// Both parts of every scene, as far as they are made; of a part that failed there is the name and why.
 struct Findings {
   std::vector<SceneErrors> errors;
   std::vector<SceneRuns> runs;
+
+  std::vector<std::string> failures() const;  // "pendulum: no reference: ..."
 };
 
-// Progress is shown; Ctrl-C ends it.
+// Progress is shown; Ctrl-C ends it. Throws what a scene throws that is alone, and Error where every part failed.
 Findings found(const ReportOptions& options, const std::vector<scene::Scene>& scenes);
 
 // In the form that is asked for.

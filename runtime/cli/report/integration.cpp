@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
@@ -74,7 +76,8 @@ class Sweep {
     add_peers(step);
     SceneRuns result;
     result.duration = base_.duration;
-    result.rows = options_.rows;
+    result.end = end_;
+    result.rows = std::ssize(reference_.rows) - 1;
     result.scales = reference_.scales;
     result.reference = reference_.description;
     result.coarser = reference_.coarser;
@@ -162,13 +165,17 @@ class Sweep {
     runs_.push_back(std::move(run));
   }
 
-  void judge(const Trial& trial, IntegrationRun& run) const {
+  void judge(const Trial& trial, IntegrationRun& run) {
     const Summary& summary = trial.summary;
     run.steps = summary.steps;
     run.rejected = summary.failed;
     run.evaluations = summary.evaluations;
     if (has_jacobian(trial.options.method)) run.jacobians = summary.jacobians;
     measure(run, trial.rows, reference_);
+    if (summary.stopped && !(run.worst_error >= least_error_)) {
+      least_error_ = run.worst_error;
+      end_ = summary.t;
+    }
     if (summary.energy && !conserved_.driven) run.energy = summary.energy->worst.relative();
     if (summary.angular_momentum && conserved_.momentum) run.momentum = momentum_error(summary, reference_.scales);
     if (has_attitudes_) run.norm = summary.worst_norm_error_before;
@@ -187,6 +194,8 @@ class Sweep {
   Options base_;
   Reference reference_;
   std::vector<IntegrationRun> runs_;
+  double least_error_ = std::numeric_limits<double>::infinity();  // of the runs that an event ended
+  std::optional<double> end_;                                     // of that run [s]
 };
 
 }  // namespace

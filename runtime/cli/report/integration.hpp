@@ -59,13 +59,15 @@ struct SceneRuns {
   std::string path;            // as it was given, for a command to type
   std::string picture;         // file of the diagram; empty: none
   scene::Simulation settings;  // the scene's own
-  double duration = 0.0;
-  int rows = 0;
+  double duration = 0.0;       // asked for [s]
+  std::optional<double> end;   // where an event ends the most accurate run before that [s]
+  std::int64_t rows = 0;       // after the start, that were compared
   MotionScales scales;
   std::string reference, coarser, check;  // as reference.hpp has them
   double reference_error = 0.0, check_difference = 0.0;
   bool is_disputed = false;
   std::vector<IntegrationRun> runs;  // by method, coarse to fine
+  std::string failure = {};          // why there is none of this; empty: there is
 };
 
 struct Reference;

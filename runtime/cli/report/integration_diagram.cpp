@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "runtime/base/text.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/report/choice.hpp"
 #include "runtime/cli/report/diagram.hpp"
@@ -33,14 +32,13 @@ std::vector<DiagramLine> lines_of(const SceneRuns& scene) {
 }  // namespace
 
 std::string integration_svg(const SceneRuns& scene) {
-  return diagram_svg(
-      {fmt::format("{}: wall time against error of integration, 0 to {} s", scene.model, shortest(scene.duration)),
-       {reference_text(scene), scales_text(scene), processor_name()},
-       {"error [-], worst over the rows", tick},
-       {"wall time of a run [s]", duration_text},
-       lines_of(scene),
-       scene.reference_error,
-       "below the reference's own error"});
+  return diagram_svg({fmt::format("{}: wall time against error of integration, {}", scene.model, stretch_text(scene)),
+                      {reference_text(scene), scales_text(scene), processor_name()},
+                      {"error [-], worst over the rows", tick},
+                      {"wall time of a run [s]", duration_text},
+                      lines_of(scene),
+                      scene.reference_error,
+                      "below the reference's own error"});
 }
 
 }  // namespace kanec::cli

@@ -195,7 +195,18 @@ stands there as failed.
 - `*` marks the Pareto front: no other run is as fast and as accurate.
 )";
 
+std::int64_t most_rows(const std::vector<SceneRuns>& scenes) {
+  std::int64_t most = 0;
+  for (const SceneRuns& scene : scenes) most = std::max(most, scene.rows);
+  return most;
+}
+
 }  // namespace
+
+std::string stretch_text(const SceneRuns& scene) {
+  if (!scene.end) return fmt::format("0 to {} s", shortest(scene.duration));
+  return fmt::format("0 to {:.10g} s, where an event ends it (of {} s)", *scene.end, shortest(scene.duration));
+}
 
 std::string reference_text(const SceneRuns& scene) {
   if (scene.is_disputed)
@@ -214,9 +225,9 @@ std::string scales_text(const SceneRuns& scene) {
 }
 
 std::string integration_text(const SceneRuns& scene, std::optional<double> error) {
-  std::string text =
-      fmt::format("{}: integration from t = 0 to {} s\n{}\n{}\n{}\n\n{}", scene.model, shortest(scene.duration),
-                  reference_text(scene), scales_text(scene), kept_text, runs_table(scene));
+  if (!scene.failure.empty()) return fmt::format("{}: integration failed: {}\n", scene.model, scene.failure);
+  std::string text = fmt::format("{}: integration from t = {}\n{}\n{}\n{}\n\n{}", scene.model, stretch_text(scene),
+                                 reference_text(scene), scales_text(scene), kept_text, runs_table(scene));
   std::string failures;
   for (const IntegrationRun& run : scene.runs)
     if (!run.ok()) failures += title_of(run) + ": " + failure_text(run) + "\n";
@@ -226,9 +237,11 @@ std::string integration_text(const SceneRuns& scene, std::optional<double> error
 }
 
 Json integration_json(const SceneRuns& scene, std::optional<double> error) {
+  if (!scene.failure.empty()) return Json::object({{"failure", scene.failure}});
   Json runs = Json::array();
   for (const IntegrationRun& run : scene.runs) runs.push_back(run_json(run));
   return {{"duration", scene.duration},
+          {"end", scene.end.value_or(scene.duration)},
           {"rows", scene.rows},
           {"length", scene.scales.length},
           {"rate", scene.scales.rate},
@@ -249,18 +262,24 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes) {
       "m],"
       "worst_attitude[rad],worst_speed[m/s],worst_spin[rad/s],end_error,end_position[m],end_attitude[rad],"
       "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
-  for (const SceneRuns& scene : scenes)
+  for (const SceneRuns& scene : scenes) {
     for (const IntegrationRun& run : scene.runs) text += csv_line(scene, run);
+    if (!scene.failure.empty()) text += csv_field(scene.model) + std::string(23, ',') + csv_field(scene.failure) + "\n";
+  }
   return text;
 }
 
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
                                  const std::string& command) {
   std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
-                     fmt::format(page_head, scenes.empty() ? 0 : scenes.front().rows, processor_name());
+                     fmt::format(page_head, most_rows(scenes), processor_name());
   for (const SceneRuns& scene : scenes) {
-    text += fmt::format("\n## {}\n\n0 to {} s. {}. {}.\n\n", scene.model, shortest(scene.duration),
-                        reference_text(scene), scales_text(scene));
+    if (!scene.failure.empty()) {
+      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, scene.failure);
+      continue;
+    }
+    text += fmt::format("\n## {}\n\n{}. {}. {}.\n\n", scene.model, stretch_text(scene), reference_text(scene),
+                        scales_text(scene));
     if (!scene.picture.empty())
       text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(scene.picture).filename().string());
     text += markdown_table(scene) + "\n";

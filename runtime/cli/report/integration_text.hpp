@@ -21,7 +21,8 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes);
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
                                  const std::string& command);
 
-// The reference and its own error; what errors are measured by.
+// From when to when; the reference and its own error; what errors are measured by.
+std::string stretch_text(const SceneRuns& scene);
 std::string reference_text(const SceneRuns& scene);
 std::string scales_text(const SceneRuns& scene);
 
