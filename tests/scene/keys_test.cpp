@@ -90,7 +90,7 @@ TEST(Keys, unknown_one_is_refused_with_the_nearest_at_every_level) {
             "f:7: body 1: initial.omgea: found an unknown key; allowed: eps, omega, s, sdot (did you mean omega?)");
   EXPECT_EQ(message(with_table("[simulate]\nduratoin = 1")),
             "f:7: simulate.duratoin: found an unknown key; allowed: duration, output_step, integrator, step, "
-            "relative_tolerance, absolute_tolerance, jacobian, order (did you mean duration?)");
+            "relative_tolerance, absolute_tolerance, longest_step, jacobian, order (did you mean duration?)");
 }
 
 TEST(Keys, unknown_one_far_from_all_is_refused_without_a_guess) {
