@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "generator/scene/read.hpp"
+#include "runtime/base/split.hpp"
 
 namespace kanec::scene {
 namespace {
@@ -61,11 +62,7 @@ void check_connection(const std::vector<int>& lower, const std::function<Place(s
 std::vector<int> parse_connection(std::string_view text) {
   if (trimmed(text).empty()) check_connection({}, on_command_line);
   std::vector<int> lower;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    lower.push_back(parse_entry(trimmed(text.substr(begin, comma - begin)), lower.size() + 1));
-    begin = comma + 1;
-  }
+  for (const std::string_view part : split(text, ',')) lower.push_back(parse_entry(trimmed(part), lower.size() + 1));
   check_connection(lower, on_command_line);
   return lower;
 }

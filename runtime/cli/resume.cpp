@@ -9,6 +9,7 @@
 
 #include "generator/scene/place.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/split.hpp"
 #include "runtime/cli/watched_events.hpp"
 #include "runtime/integrate/trajectory.hpp"
 
@@ -43,18 +44,9 @@ std::vector<std::string_view> full_lines(std::string_view text) {
   return lines;
 }
 
-std::vector<std::string_view> columns_of(std::string_view header) {
-  std::vector<std::string_view> columns;
-  std::size_t begin = 0, end;
-  for (; (end = header.find(',', begin)) != std::string_view::npos; begin = end + 1)
-    columns.push_back(header.substr(begin, end - begin));
-  columns.push_back(header.substr(begin));
-  return columns;
-}
-
 // By the first column that differs.
 void check_header(std::string_view found, std::string_view allowed, const std::string& file, const std::string& model) {
-  const std::vector<std::string_view> there = columns_of(found), wanted = columns_of(allowed);
+  const std::vector<std::string_view> there = split(found, ','), wanted = split(allowed, ',');
   const std::string trajectory = " of a trajectory of " + model;
   for (std::size_t i = 0; i < std::max(there.size(), wanted.size()); ++i) {
     const std::string column = "column " + std::to_string(i + 1);

@@ -8,6 +8,7 @@
 #include "generator/scene/place.hpp"
 #include "generator/scene/read_ensemble.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/split.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/settings.hpp"
@@ -30,13 +31,9 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> list;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    list.push_back(trimmed(line.substr(begin, comma - begin)));
-    if (comma == line.size()) return list;
-    begin = comma + 1;
-  }
+  std::vector<std::string_view> list = split(line, ',');
+  for (std::string_view& cell : list) cell = trimmed(cell);
+  return list;
 }
 
 // "theta_1" of "theta_1[rad]".

@@ -152,9 +152,9 @@ class Taylor final : public Stepper {
     if (now_.t >= end_) return;
     for (std::size_t i = 0; i < largest_.size(); ++i) largest_[i] = std::max(largest_[i], std::fabs(now_.c[i]));
     double h = std::min({step_of(now_.order), longest_, end_ - now_.t});
-    const int shortest = worst_;
+    const int limiting = worst_;
     order_ = next_order();
-    worst_ = shortest;
+    worst_ = limiting;
     for (;; h /= 2) {
       // the end is met exactly, and no sliver is left before it
       const double left = end_ - now_.t;

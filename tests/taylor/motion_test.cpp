@@ -106,23 +106,20 @@ TEST(TaylorMotion, rows_do_not_change_the_steps) {
   EXPECT_LT(difference(handle.run(once).y, middle), 1e-11);
 }
 
-constexpr auto bouncing = R"(
-name = "spring_and_stop"
-connection = [0]
-[[body]]
-joint = "prismatic"
-axis = "x"
-mass = 1.0
-inertia = [0, 0, 0]
-effort = "-max(0, s_1) * 400 - 100 * s_1"
-[body.initial]
-s = -0.3
-)";
+// A mass of 1 kg along x under an effort; `initial`: how it begins, else at rest in 0.
+std::string slide(const std::string& effort, const std::string& initial = "") {
+  return "name = 'slide'\nconnection = [0]\n[[body]]\njoint = 'prismatic'\naxis = 'x'\nmass = 1.0\ninertia = [0, 0, "
+         "0]\n"
+         "effort = '" +
+         effort + "'\n[body.initial]\n" + initial + "\n";
+}
+
+const std::string bouncing = slide("-max(0, s_1) * 400 - 100 * s_1", "s = -0.3");
 
 // Frequency 10 rad/s on one side of 0, sqrt(500) on the other: the closed form from crossing to crossing.
 TEST(TaylorMotion, halves_a_step_at_a_kink) {
   const double pi = std::acos(-1.0), slow = 10, fast = std::sqrt(500.0), period = pi / slow + pi / fast;
-  const Motion motion{std::string(bouncing)};
+  const Motion motion{bouncing};
   Options run = options(Method::taylor, 1e-10, 5 * period);
   const Summary summary = motion.run(run);
   EXPECT_NEAR(summary.x[0], -0.3, 1e-6);
@@ -131,53 +128,21 @@ TEST(TaylorMotion, halves_a_step_at_a_kink) {
   EXPECT_LT(summary.steps, 2000);
 }
 
-constexpr auto flying = R"(
-name = "flying"
-connection = [0]
-[[body]]
-joint = "prismatic"
-axis = "x"
-mass = 1.0
-inertia = [0, 0, 0]
-effort = "-max(0, s_1) * 1e6"
-[body.initial]
-s = -1.0
-sdot = 2.0
-)";
+const std::string flying = slide("-max(0, s_1) * 1e6", "s = -1.0\nsdot = 2.0");
 
 // The series in free flight ends after its second term, and no step would be too long: half a swing of pi / 1000 s on
 // the spring, and back.
 TEST(TaylorMotion, a_flight_without_forces_ends_at_a_kink) {
   const double swing = std::acos(-1.0) / 1000;
-  const Summary summary = Motion(std::string(flying)).run(options(Method::taylor, 1e-12, 1.0 + swing));
+  const Summary summary = Motion(flying).run(options(Method::taylor, 1e-12, 1.0 + swing));
   EXPECT_NEAR(summary.x[0], -1.0, 1e-9);
   EXPECT_NEAR(summary.y[0], -2.0, 1e-9);
   EXPECT_LT(summary.steps, 100);
 }
 
-constexpr auto falling_in = R"(
-name = "falling_in"
-connection = [0]
-[[body]]
-joint = "prismatic"
-axis = "x"
-mass = 1.0
-inertia = [0, 0, 0]
-effort = "-1 / s_1^2"
-[body.initial]
-s = 1.0
-)";
+const std::string falling_in = slide("-1 / s_1^2", "s = 1.0");
 
-constexpr auto dipping = R"toml(
-name = "dipping"
-connection = [0]
-[[body]]
-joint = "prismatic"
-axis = "x"
-mass = 1.0
-inertia = [0, 0, 0]
-effort = "min(sin(3*t), 0.3)"
-)toml";
+const std::string dipping = slide("min(sin(3*t), 0.3)");
 
 // With 0.3 the series is a polynomial, whose step would go over all dips of the sine. sdot(10) by quadrature between
 // the kinks a = asin(0.3)/3, b = pi/3 - a, and so on: -1.6317775. Each of ten is passed where rates differ by less than
@@ -194,23 +159,21 @@ TEST(TaylorMotion, does_not_step_over_a_load_that_comes_back) {
   EXPECT_NEAR(expected, -1.6317775, 1e-7);
   Options run = options(Method::taylor, 1e-12, end);
   run.has_kinks = true;
-  const Motion motion{std::string(dipping)};
+  const Motion motion{dipping};
   EXPECT_NEAR(motion.run(run).y[0], expected, 2e-9);
   run.method = Method::taylor_extended;
   EXPECT_NEAR(motion.run(run).y[0], expected, 2e-9);
 }
 
 TEST(TaylorMotion, where_rates_are_finite_and_not_smooth_says_so) {
-  std::string rough(falling_in);
-  rough.replace(rough.find("-1 / s_1^2"), 10, "-sqrt(sdot_1^2)");
-  const Motion motion{rough};
+  const Motion motion{slide("-sqrt(sdot_1^2)", "s = 1.0")};
   EXPECT_THAT([&] { motion.run(options(Method::taylor, 1e-10, 2.0)); },
               ThrowsMessage<IntegrationError>(HasSubstr("has no Taylor series: it is not smooth there")));
 }
 
 // Free fall into the centre takes pi / (2 sqrt 2) s.
 TEST(TaylorMotion, stops_at_a_singularity_and_tells_when) {
-  const Motion motion{std::string(falling_in)};
+  const Motion motion{falling_in};
   EXPECT_THAT([&] { motion.run(options(Method::taylor, 1e-10, 2.0)); },
               ThrowsMessage<IntegrationError>(HasSubstr("stopped at t = 1.1107")));
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "runtime/base/error.hpp"
 #include "runtime/cli/report/methods.hpp"
@@ -60,9 +61,11 @@ std::optional<Limit> limit_of(const Trials& trials, const integrate::Options& ba
                               double limit, std::string& failures) {
   std::optional<Trial> before;
   std::optional<Limit> best;
+  bool has_failed = false;  // the first failure of a family is told
   for (int level = 0; level < family.levels; ++level) {
     Trial trial = trials.once(at_level(base, family, step, level), limit);
-    if (!trial.ok() && level == 0) failures += "\n  " + method_text(trial.options) + ": " + trial.failure;
+    if (!trial.ok() && !std::exchange(has_failed, true))
+      failures += "\n  " + method_text(trial.options) + ": " + trial.failure;
     if (trial.out_of_time) break;
     if (!trial.ok()) continue;
     if (before && before->rows.size() == trial.rows.size()) {

@@ -10,6 +10,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/split.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/hard/hard_report.hpp"
@@ -84,38 +85,39 @@ void require_one_format(const Options& options) {
 // Of "a,b" given once or many times.
 std::vector<std::string> names_in(const std::vector<std::string>& lists, const std::string& option) {
   std::vector<std::string> names;
-  for (const std::string& list : lists) {
-    std::size_t begin = 0;
-    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-      end = list.find(',', begin);
-      names.push_back(list.substr(begin, end == std::string::npos ? end : end - begin));
-      if (names.back().empty()) refuse(option + ": found an empty name in '" + list + "'", "names with commas between");
+  for (const std::string& list : lists)
+    for (const std::string_view name : split(list, ',')) {
+      if (name.empty()) refuse(option + ": found an empty name in '" + list + "'", "names with commas between");
+      names.emplace_back(name);
     }
-  }
   return names;
+}
+
+// The first option given that integration alone reads, or evaluation alone; empty: none.
+std::string given_for_integration(const Options& options) {
+  const IntegrationOptions& run = options.integration;
+  if (options.with_peers) return "--peers";
+  if (!run.integrators.empty()) return "--integrators";
+  if (run.duration) return "--duration";
+  if (run.error) return "--error";
+  return run.limit != IntegrationOptions().limit ? "--limit" : "";
+}
+
+std::string given_for_evaluation(const EvaluationOptions& options) {
+  const EvaluationOptions usual;
+  if (!options.functions.empty()) return "--functions";
+  if (options.is_timed) return "--timed";
+  if (options.states != usual.states) return "--states";
+  return options.seed != usual.seed ? "--seed" : "";
 }
 
 // Options of one part beside what makes the other alone.
 void require_their_part(const Options& options) {
-  const auto refuse_given = [](bool is_given, const std::string& name, const std::string& beside,
-                               const std::string& allowed) {
-    if (is_given) refuse(name + ": found it beside " + beside, allowed);
-  };
-  const IntegrationOptions& run = options.integration;
-  const EvaluationOptions& states = options.evaluation;
-  if (!options.integrates()) {
-    const std::string beside = options.evaluation_alone ? "--evaluation" : "--functions";
-    refuse_given(options.with_peers, "--peers", beside, "with integration");
-    refuse_given(!run.integrators.empty(), "--integrators", beside, "with integration");
-    refuse_given(run.duration.has_value(), "--duration", beside, "with integration");
-    refuse_given(run.error.has_value(), "--error", beside, "with integration");
-    refuse_given(run.limit != IntegrationOptions().limit, "--limit", beside, "with integration");
-  }
-  if (options.evaluates()) return;
-  refuse_given(!states.functions.empty(), "--functions", "--integration", "with --evaluation");
-  refuse_given(states.is_timed, "--timed", "--integration", "with --evaluation");
-  refuse_given(states.states != EvaluationOptions().states, "--states", "--integration", "with --evaluation");
-  refuse_given(states.seed != EvaluationOptions().seed, "--seed", "--integration", "with --evaluation");
+  if (const std::string name = given_for_integration(options); !options.integrates() && !name.empty())
+    refuse(name + ": found it beside " + (options.evaluation_alone ? "--evaluation" : "--functions"),
+           "with integration");
+  if (const std::string name = given_for_evaluation(options.evaluation); !options.evaluates() && !name.empty())
+    refuse(name + ": found it beside --integration", "with --evaluation");
 }
 
 void require_sound_numbers(const IntegrationOptions& run) {
@@ -154,13 +156,9 @@ std::vector<Peer> integrating_peers() {
 
 // What the other reports read.
 bool asks_for_more(const Options& options) {
-  const EvaluationOptions usual;
-  const IntegrationOptions& run = options.integration;
   return !options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
-         options.integration_alone || options.with_peers || !options.evaluation.functions.empty() ||
-         options.evaluation.is_timed || options.evaluation.states != usual.states ||
-         options.evaluation.seed != usual.seed || !run.integrators.empty() || run.duration || run.error ||
-         run.limit != IntegrationOptions().limit;
+         options.integration_alone || !given_for_integration(options).empty() ||
+         !given_for_evaluation(options.evaluation).empty();
 }
 
 int report_hard(const Options& options) {
