@@ -117,18 +117,36 @@ class Child {
   pid_t pid_;
 };
 
-pid_t start(const fs::path& program, const std::vector<std::string>& argv, const Descriptor& in,
-            const Descriptor& out) {
+std::vector<std::string> environment_with(const Environment& variables) {
+  std::vector<std::string> list;
+  const auto is_given = [&variables](const std::string& line) {
+    return std::any_of(variables.begin(), variables.end(), [&line](const auto& variable) {
+      return line.compare(0, variable.first.size() + 1, variable.first + "=") == 0;
+    });
+  };
+  for (char** line = environ; line != nullptr && *line != nullptr; ++line)
+    if (!is_given(*line)) list.emplace_back(*line);
+  for (const auto& [name, value] : variables) list.push_back(name + "=" + value);
+  return list;
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& list) {
+  std::vector<char*> result;
+  for (const std::string& text : list) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+pid_t start(const fs::path& program, const std::vector<std::string>& argv, const Descriptor& in, const Descriptor& out,
+            const Environment& variables) {
   Redirections redirections;
   redirections.add(in, STDIN_FILENO);
   redirections.add(out, STDOUT_FILENO);
   redirections.add(out, STDERR_FILENO);
-  std::vector<char*> arguments;
-  for (const std::string& argument : argv) arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.push_back(nullptr);
+  const std::vector<std::string> environment = environment_with(variables);
   pid_t pid = 0;
-  const int error =
-      ::posix_spawn(&pid, program.c_str(), redirections.get(), DefaultSignals().get(), arguments.data(), environ);
+  const int error = ::posix_spawn(&pid, program.c_str(), redirections.get(), DefaultSignals().get(),
+                                  pointers(argv).data(), pointers(environment).data());
   if (error != 0) throw FileError(program.string(), std::strerror(error));
   return pid;
 }
@@ -174,7 +192,7 @@ std::optional<fs::path> find_program(const std::string& name) {
   return std::nullopt;
 }
 
-ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input) {
+ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input, const Environment& variables) {
   if (argv.empty()) throw InternalError("run_process without a program");
   const bool is_path = argv[0].find('/') != std::string::npos;
   const auto program = is_path ? argv[0] : find_program(argv[0]);
@@ -182,7 +200,7 @@ ProcessResult run_process(const std::vector<std::string>& argv, std::string_view
   const Descriptor in = input_file(input);
   Pipe out = make_pipe();
   ProcessResult result;
-  Child child(start(*program, argv, in, out.write_end));
+  Child child(start(*program, argv, in, out.write_end, variables));
   const Descriptor source = std::move(out.read_end);  // closed before the child is waited for
   out.write_end.close();
   result.output = read_all(source);

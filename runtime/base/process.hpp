@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kanec {
@@ -18,8 +19,12 @@ struct ProcessResult {
 // The executable that `name` means: itself when it holds a slash, else the first on PATH. Empty when there is none.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
+// Name and value, beside the environment of our own or in place of what stands there.
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
 // Runs argv[0] with the arguments and `input` as its standard input, until it ends and its output is closed. No shell
 // sees any of it. Throws FileError when it cannot be started.
-ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input = {});
+ProcessResult run_process(const std::vector<std::string>& argv, std::string_view input = {},
+                          const Environment& variables = {});
 
 }  // namespace kanec

@@ -73,6 +73,13 @@ TEST(Process, death_by_a_signal_is_128_and_its_number) {
   EXPECT_EQ(run_process({"sh", "-c", "kill -KILL $$"}).status, 128 + SIGKILL);
 }
 
+TEST(Process, variables_stand_beside_our_own_or_in_their_place) {
+  const Variable ours("KANEC_OURS", "ours"), other("KANEC_OURS_TOO", "too");
+  const std::vector<std::string> print = {"sh", "-c", "echo $KANEC_OURS $KANEC_OURS_TOO $KANEC_NEW"};
+  EXPECT_EQ(run_process(print, {}, {{"KANEC_OURS", "$a 'b"}, {"KANEC_NEW", "new"}}).output, "$a 'b too new\n");
+  EXPECT_EQ(run_process(print).output, "ours too\n");
+}
+
 TEST(Process, no_shell_sees_the_arguments) {
   const std::vector<std::string> odd = {"a b", "$HOME", "`id`", "*", "'", "\"", "a;b", "", "\\n", "x\ny", "|"};
   std::vector<std::string> argv = {"printf", "[%s]"};
