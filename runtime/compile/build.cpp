@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -89,16 +90,36 @@ std::optional<Cache> open_cache(const Options& options, std::vector<std::string>
   }
 }
 
-// An entry that cannot be loaded, or is not what its key says, counts as none.
-std::unique_ptr<Model::State> fetch(const Cache& cache, const Job& job) {
-  const auto path = cache.find(job.place);
-  if (!path) return nullptr;
-  try {
-    return std::make_unique<Model::State>(Model::State{std::nullopt, Library(*path, job.source), *path, true, 0.0, {}});
-  } catch (const LoadError&) {
+void note_once(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+// An entry that cannot be loaded, is not what its key says, or may have been written by others, counts as none, and
+// goes. Another user's stays, and there is no cache then.
+std::unique_ptr<Model::State> fetch(std::optional<Cache>& cache, const Job& job, std::vector<std::string>& notes) {
+  if (!cache) return nullptr;
+  const Finding found = cache->find(job.place);
+  switch (found.kind) {
+    case Finding::Kind::none:
+      return nullptr;
+    case Finding::Kind::sound:
+      try {
+        Library library(found.path, job.source, found.library);
+        return std::make_unique<Model::State>(
+            Model::State{std::nullopt, std::move(library), found.path, true, 0.0, notes});
+      } catch (const LoadError&) {
+        break;
+      }
+    case Finding::Kind::exposed:
+      note_once(notes, found.path.string() + ": not read, because " + found.what + "; compiled anew");
+      break;
+    case Finding::Kind::foreign:
+      notes.push_back(not_kept(FileError(found.path.string(), found.what + ", and is not read; remove it")));
+      cache.reset();
+      return nullptr;
   }
   try {
-    cache.discard(job.place);
+    cache->discard(job.place);
   } catch (const FileError&) {  // what cannot be removed is passed over each time
   }
   return nullptr;
@@ -127,8 +148,8 @@ TemporaryFolder workplace(std::optional<Cache>& cache, const Job& job, std::vect
 
 std::unique_ptr<Model::State> make(const Job& job, TemporaryFolder folder) {
   const fs::path library = folder.path() / made_name / library_name;
-  const double seconds =
-      make_library(command_line(job.compiler, job.flags, folder.path() / job.source.main, library), library);
+  const double seconds = make_library(command_line(job.compiler, job.flags, folder.path() / job.source.main, library),
+                                      library, folder.path());
   Library loaded(library, job.source);
   return std::make_unique<Model::State>(
       Model::State{std::move(folder), std::move(loaded), library, false, seconds, {}});
@@ -149,11 +170,10 @@ Model build(const Source& source, const Options& options) {
   const Job job = plan(source, options);
   std::vector<std::string> notes;
   std::optional<Cache> cache = open_cache(options, notes);
-  if (cache)
-    if (auto state = fetch(*cache, job)) return Model(std::move(state));
-  const Lock lock = cache ? cache->lock(job.place) : Lock();
-  if (cache)
-    if (auto state = fetch(*cache, job)) return Model(std::move(state));  // made by another process meanwhile
+  if (auto state = fetch(cache, job, notes)) return Model(std::move(state));
+  const Waiting waiting{"which compiles the same model", options.tell, options.poll};
+  const Lock lock = cache ? cache->lock(job.place, waiting) : Lock();
+  if (auto state = fetch(cache, job, notes)) return Model(std::move(state));  // made by another process meanwhile
   auto state = make(job, workplace(cache, job, notes));
   state->notes = std::move(notes);
   if (cache) keep(*cache, job, *state);

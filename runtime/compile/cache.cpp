@@ -8,11 +8,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "runtime/base/error.hpp"
-#include "runtime/base/files.hpp"
+#include "runtime/base/file_lock.hpp"
 #include "runtime/base/hash.hpp"
+#include "runtime/compile/trusted_folder.hpp"
 
 namespace kanec::compile {
 namespace {
@@ -38,22 +40,10 @@ void create_private(const fs::path& path) {
   throw FileError(path.string(), std::strerror(error == EEXIST ? ENOTDIR : error));
 }
 
-void refuse(const fs::path& path, const std::string& why) {
-  throw InputError(path.string() + ": not used as the model cache, because " + why +
-                   "; change that or name another folder in KANEC_CACHE");
-}
-
 void require_private(const fs::path& path) {
-  struct stat link {};
-  struct stat folder {};
-  if (::lstat(path.c_str(), &link) != 0 || ::stat(path.c_str(), &folder) != 0)
-    throw FileError(path.string(), std::strerror(errno));
-  if (link.st_uid != ::geteuid() || folder.st_uid != ::geteuid()) refuse(path, "it belongs to another user");
-  if ((folder.st_mode & (S_IWGRP | S_IWOTH)) != 0) refuse(path, "others may write to it (chmod go-w)");
-}
-
-std::string seal(const std::string& library) {
-  return std::to_string(library.size()) + " " + fingerprint(library) + "\n";
+  if (const auto why = exposure(path))
+    throw InputError(path.string() + ": not used as the model cache, because " + *why +
+                     "; change that or name another folder in KANEC_CACHE");
 }
 
 }  // namespace
@@ -70,45 +60,49 @@ Cache::Place Cache::place(const std::string& model, std::string key) {
 }
 
 Cache::Cache(const fs::path& folder) : folder_(fs::absolute(folder)) {
+  require_lasting_place(folder_);
   create_private(folder_);
   require_private(folder_);
+  if (std::error_code ignored; fs::exists(folder_ / "tmp", ignored)) clear();
 }
 
-std::optional<fs::path> Cache::find(const Place& place) const {
-  const fs::path entry = folder_ / place.entry;
+void Cache::clear() const {
   try {
-    if (read_file(entry / "key") != place.key) return std::nullopt;
-    if (read_file(entry / "seal") != seal(read_file(entry / library_name))) return std::nullopt;
-    return entry / library_name;
-  } catch (const FileError&) {
-    return std::nullopt;
+    sweep(temporary());
+  } catch (const FileError&) {  // told where it is needed
   }
 }
 
-Lock Cache::lock(const Place& place) const {
+fs::path Cache::temporary() const {
+  fs::path path = folder_ / "tmp";
+  create_private(path);
+  if (fs::is_symlink(path)) throw FileError(path.string(), "a link, where a folder belongs; remove it");
+  if (const auto why = exposure(path)) throw FileError(path.string(), "not used, because " + *why + "; remove it");
+  return path;
+}
+
+Finding Cache::find(const Place& place) const { return look_at(folder_ / place.entry, place.key); }
+
+Lock Cache::lock(const Place& place, const Waiting& waiting) const {
   try {
-    create_private(folder_ / "tmp");
+    return Lock(temporary() / (place.entry + ".lock"), patience, waiting);
   } catch (const FileError&) {
     return {};
   }
-  return Lock(folder_ / "tmp" / (place.entry + ".lock"), patience);
 }
 
-TemporaryFolder Cache::workplace(const Place& place) const {
-  create_private(folder_ / "tmp");
-  sweep(folder_ / "tmp");
-  return TemporaryFolder(folder_ / "tmp" / place.entry);
-}
+TemporaryFolder Cache::workplace(const Place& place) const { return TemporaryFolder(temporary() / place.entry); }
 
 fs::path Cache::store(const fs::path& made, const Place& place) const {
   const fs::path entry = folder_ / place.entry;
-  write_file(made / "key", place.key);
-  write_file(made / "seal", seal(read_file(made / library_name)));
+  complete(made, place.key);
   while (::rename(made.c_str(), entry.c_str()) != 0) {
     const int error = errno;
     if (error != EEXIST && error != ENOTEMPTY && error != ENOTDIR)
       throw FileError(entry.string(), std::strerror(error));
-    if (const auto equal = find(place)) return *equal;
+    const Finding equal = find(place);
+    if (equal.kind == Finding::Kind::sound) return equal.path;
+    if (equal.kind == Finding::Kind::foreign) throw FileError(equal.path.string(), equal.what);
     discard(place);
   }
   return entry / library_name;
@@ -116,9 +110,15 @@ fs::path Cache::store(const fs::path& made, const Place& place) const {
 
 void Cache::discard(const Place& place) const {
   const fs::path entry = folder_ / place.entry;
-  const TemporaryFolder bin(folder_ / "tmp" / place.entry);
+  const TemporaryFolder bin(temporary() / place.entry);
   if (::rename(entry.c_str(), (bin.path() / "old").c_str()) != 0 && errno != ENOENT)
     throw FileError(entry.string(), std::strerror(errno));
+}
+
+void sweep(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
+    remove_if_abandoned(entry->path());
 }
 
 }  // namespace kanec::compile

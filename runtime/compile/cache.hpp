@@ -4,9 +4,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
+#include "runtime/base/temporary.hpp"
+#include "runtime/compile/entry.hpp"
 #include "runtime/compile/lock.hpp"
 
 namespace kanec::compile {
@@ -17,7 +18,8 @@ std::filesystem::path default_cache();
 
 // Layout: <folder>/<entry>/{model.so, key, seal}, and <folder>/tmp/ for what is not finished. An entry is made
 // elsewhere and renamed into place, so it is there whole or not at all; what damage it takes later is found before it
-// is used.
+// is used. Whoever can write to a library runs code as us: folders and files must be our user's and writable by nobody
+// else, also where the folder is so now, for what it holds may be from a time when it was not.
 class Cache {
  public:
   // The model's name and the key's fingerprint name the entry.
@@ -27,31 +29,35 @@ class Cache {
   };
   static Place place(const std::string& model, std::string key);
 
-  // Creates the folder with rights for its owner alone. Throws FileError when it cannot be, InputError when it belongs
-  // to or may be written by somebody else: whoever writes there could run code as us.
+  // Creates the folder with rights for its owner alone, and clears away what dead processes left. Throws FileError when
+  // it cannot be, or when another one may be put in its place (trusted_folder.hpp), InputError when it belongs to or
+  // may be written by somebody else.
   explicit Cache(const std::filesystem::path& folder);
 
-  // The library of that very key, byte for byte as it was stored; empty for anything else.
-  std::optional<std::filesystem::path> find(const Place& place) const;
+  Finding find(const Place& place) const;
 
   // Held while an entry is made, so that a second process waits for it instead of making it as well.
-  Lock lock(const Place& place) const;
+  Lock lock(const Place& place, const Waiting& waiting = {}) const;
 
-  // Where to make an entry. Also clears away what interrupted processes left. Throws FileError.
+  // Where to make an entry. Throws FileError.
   TemporaryFolder workplace(const Place& place) const;
 
   // Moves `made`, a folder below the workplace that holds model.so, into its place; the library's new path. Where
-  // another process was faster its equal is kept. Throws FileError.
+  // another process was faster its equal is kept. Throws FileError, also where a foreign entry is in the way.
   std::filesystem::path store(const std::filesystem::path& made, const Place& place) const;
 
   // Removes an entry that turned out to be of no use. Throws FileError.
   void discard(const Place& place) const;
 
  private:
+  void clear() const;
+  std::filesystem::path temporary() const;  // made where it is not there; throws FileError
+
   std::filesystem::path folder_;
 };
 
-// The library's name in an entry and where it is made.
-inline constexpr char library_name[] = "model.so";
+// Removes from `folder` all that is our user's and used by nobody: lock files and folders of processes that ended
+// without doing so.
+void sweep(const std::filesystem::path& folder);
 
 }  // namespace kanec::compile

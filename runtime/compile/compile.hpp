@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,6 +23,10 @@ struct Options {
   bool flags_given = false;
   std::filesystem::path cache;  // empty = default_cache()
   bool use_cache = true;        // false = compiled anew, for this run alone
+  // While another process compiles the same model: told after two seconds which one, and what becomes of it; called all
+  // the while, and what it throws ends the wait. Both may be empty.
+  std::function<void(const std::string&)> tell = {};
+  std::function<void()> poll = {};
 };
 
 // A loaded model; its code is there as long as this object. Moved, not copied.
@@ -44,10 +49,10 @@ class Model {
   std::unique_ptr<State> state_;
 };
 
-// Fetches or compiles, loads and checks. What the cache holds in a damaged form is made anew without a word; a cache
-// that cannot be written is done without, with a note. Throws BuildError (no compiler, or it fails), LoadError (not the
-// model that `source` announces), InputError (a cache that others may write to), InternalError (a source with unsound
-// names).
+// Fetches or compiles, loads and checks. What the cache holds in a damaged form is made anew without a word, what
+// others may have written with a note; a cache that cannot be written or trusted, or where another user's entry is in
+// the way, is done without, with a note. Throws BuildError (no compiler, or it fails), LoadError (not the model that
+// `source` announces), InputError (a cache that others may write to), InternalError (a source with unsound names).
 Model build(const Source& source, const Options& options = {});
 
 }  // namespace kanec::compile

@@ -14,13 +14,13 @@ struct Compiler {
   std::string version;                 // what it answers to --version
 };
 
-// What is compiled: scalar code, which clang++ compiles faster and no slower to run, or lanes, which g++ makes a tenth to a
-// sixth faster (docs/compile_time.md).
+// What is compiled: scalar code, which clang++ compiles faster and no slower to run, or lanes, which g++ makes a tenth
+// to a sixth faster (docs/compile_time.md).
 enum class Code { scalar, lanes };
 
-// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, clang++, c++, g++, for lanes of $CXX, g++,
-// c++, clang++. Each may carry arguments after blanks. Throws BuildError that names all that were tried, or shows what a
-// broken one says.
+// `wish`, else $KANEC_CXX: that one and no other. Else the first there is of $CXX, clang++, c++, g++, for lanes of
+// $CXX, g++, c++, clang++. Each may carry arguments after blanks. Throws BuildError that names all that were tried, or
+// shows what a broken one says.
 Compiler find_compiler(const std::string& wish, Code code = Code::scalar);
 
 // $KANEC_CXXFLAGS split on blanks, or -O2 -march=native -fno-math-errno -fno-tree-slp-vectorize.
@@ -31,7 +31,9 @@ std::vector<std::string> default_flags();
 std::vector<std::string> command_line(const Compiler& compiler, const std::vector<std::string>& flags,
                                       const std::filesystem::path& main, const std::filesystem::path& library);
 
-// Runs it; the wall time [s]. Throws BuildError with command and output when it fails or makes no library.
-double make_library(const std::vector<std::string>& command, const std::filesystem::path& library);
+// Runs it, with its temporary files in the folder `temporary`; the wall time [s]. Throws BuildError with command and
+// output when it fails or makes no library.
+double make_library(const std::vector<std::string>& command, const std::filesystem::path& library,
+                    const std::filesystem::path& temporary);
 
 }  // namespace kanec::compile

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/file_lock.hpp"
 
 namespace kanec::compile {
 namespace {
@@ -58,8 +59,9 @@ auto descriptor(void* library, const char* name, const Source& expected) {
 
 void Library::Close::operator()(void* handle) const { ::dlclose(handle); }
 
-Library::Library(const std::filesystem::path& path, const Source& expected)
-    : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+Library::Library(const std::filesystem::path& path, const Source& expected, const Descriptor& looked_at) {
+  if (looked_at && !leads_to(path, looked_at)) fail(expected, "another file stands at " + path.string() + " by now");
+  handle_.reset(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!handle_) fail(expected, last_error());
   if (expected.is_batch) {
     batch_ = descriptor<kanec_batch_entry>(handle_.get(), KANEC_BATCH_ENTRY, expected);

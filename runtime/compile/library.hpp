@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "runtime/abi/abi.h"
+#include "runtime/base/descriptor.hpp"
 #include "runtime/compile/source.hpp"
 
 namespace kanec::compile {
@@ -13,8 +14,10 @@ namespace kanec::compile {
 class Library {
  public:
   // Loads the file and checks its descriptors: ABI version and size, hash, nx, ny. Throws LoadError. The file must be
-  // whole: a truncated one may kill the process.
-  Library(const std::filesystem::path& path, const Source& expected);
+  // whole: a truncated one may kill the process. Where `looked_at` is open, `path` must still lead to that file: it is
+  // loaded by its path all the same, because the loader takes one name for one library, as debuggers do, and
+  // /proc/self/fd/N is many; nobody else can put another file there (trusted_folder.hpp).
+  Library(const std::filesystem::path& path, const Source& expected, const Descriptor& looked_at = Descriptor());
   const kanec_model& model() const { return *model_; }
   const kanec_batch& batch() const;  // InternalError where there is none
 

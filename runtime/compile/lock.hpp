@@ -1,22 +1,32 @@
-// Locks between processes by flock(2), and folders that are known to be in use by such a lock. Not: what they protect.
+// A lock between processes by flock(2), whose holder is known by its process. Not: what it protects.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
+#include <functional>
+#include <string>
 
 #include "runtime/base/descriptor.hpp"
 
 namespace kanec::compile {
 
-// A lock file, removed at the end. Where the file system knows no locks, or none can be made, or its holder hangs,
-// there is none: callers must stay correct without it, it only saves double work.
+// What becomes of the time in which a lock is waited for.
+struct Waiting {
+  std::string holder_does;                       // "which compiles the same model"
+  std::function<void(const std::string&)> tell;  // after two seconds, and when it is given up; may be empty
+  std::function<void()> poll;                    // all the while; what it throws ends it; may be empty
+};
+
+// A lock file, which holds the number of its process, and is removed at the end. Where the file system knows no locks,
+// or none can be made, or its holder hangs, there is none: callers must stay correct without it, it only saves double
+// work.
 class Lock {
  public:
   Lock() = default;
-  // Waits for the holder, at most so long.
-  Lock(const std::filesystem::path& path, std::chrono::milliseconds patience);
+  // Waits for the holder, at most so long, and for one that is stopped no more than five seconds. A holder that dies
+  // leaves the lock.
+  Lock(const std::filesystem::path& path, std::chrono::milliseconds patience, const Waiting& waiting = {});
   Lock(Lock&&) noexcept = default;
   Lock& operator=(Lock&&) = delete;
   ~Lock();
@@ -26,28 +36,5 @@ class Lock {
   std::filesystem::path path_;
   Descriptor file_;
 };
-
-// A new folder for this process alone, "<prefix>.XXXXXX", locked while it is used, removed at the end with all that it
-// holds.
-class TemporaryFolder {
- public:
-  // Throws FileError.
-  explicit TemporaryFolder(const std::filesystem::path& prefix);
-  TemporaryFolder(TemporaryFolder&&) noexcept;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder();
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-  Descriptor lock_;
-};
-
-// $TMPDIR where that is a folder, else /tmp.
-std::filesystem::path temporary_root();
-
-// Removes from `folder` the lock files and temporary folders of processes that ended without doing so: over a minute
-// old and locked by nobody (over a day old where the file system knows no locks).
-void sweep(const std::filesystem::path& folder);
 
 }  // namespace kanec::compile

@@ -3,6 +3,7 @@
 #include "runtime/compile/compiler.hpp"
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/process.hpp"
 #include "tests/compile/bench.hpp"
 
 namespace kanec::compile::test {
@@ -153,6 +154,24 @@ TEST_F(FailingCompiler, that_makes_nothing_is_told) {
   write_compiler("echo nothing to do; exit 0");
   EXPECT_THAT(failure(toy()).what(), StartsWith("the C++ compiler made no library\n"));
   EXPECT_EQ(failure(toy()).output(), "nothing to do\n");
+}
+
+TEST_F(FailingCompiler, its_temporary_files_go_with_the_workplace) {
+  write_compiler("echo \"$TMPDIR\" > '" + (root() / "where").string() + "'; echo x > \"$TMPDIR/left.s\"; exit 1");
+  failure(toy());
+  EXPECT_THAT(read_file(root() / "where"), StartsWith((cache() / "tmp" / "toy-").string()));
+  EXPECT_THAT(names(cache() / "tmp"), IsEmpty());
+}
+
+TEST_F(FailingCompiler, odd_names_of_the_workplace_are_no_obstacle) {
+  write_compiler("");
+  options.cache = root() / "a 'b' \"c\" $d;e:f\n*";
+  for (const char* name : {"g++", "clang++"}) {
+    if (!find_program(name)) continue;
+    options.compiler = name;
+    EXPECT_EQ(evaluate(build(toy(), options)), -12.0) << name;
+  }
+  EXPECT_THAT(names(options.cache / "tmp"), IsEmpty());
 }
 
 TEST_F(FailingCompiler, no_shell_sees_its_arguments) {

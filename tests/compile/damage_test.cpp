@@ -41,7 +41,7 @@ class Damage : public Bench {
     write_file(at / "abi.h", replaced(abi_text, version, version + "1000u + "));
     for (const auto& [name, text] : toy().files) write_file(at / name, text);
     const fs::path library = at / "model.so";
-    make_library(command_line(find_compiler(""), {}, at / "toy_abi.cpp", library), library);
+    make_library(command_line(find_compiler(""), {}, at / "toy_abi.cpp", library), library, at);
     return read_file(library);
   }
 };
