@@ -2,6 +2,7 @@
 #include "runtime/cli/ensemble.hpp"
 
 #include <chrono>
+#include <memory>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -49,13 +50,20 @@ class EndsFile {
       file_->write(line + "\n");
     }
   }
-  void finish() {
-    if (file_) file_->commit();
-  }
+  AtomicFile* file() { return file_ ? &*file_ : nullptr; }
 
  private:
   std::optional<AtomicFile> file_;
 };
+
+// What was drawn, on the disk before the run: a full one is known then.
+std::unique_ptr<AtomicFile> drawn_file(const EnsembleJob& job, const ScenarioTable& table) {
+  if (job.ensemble.drawn.empty()) return nullptr;
+  auto file = std::make_unique<AtomicFile>(job.ensemble.drawn);
+  file->write(csv_text(table));
+  file->flush();
+  return file;
+}
 
 // A model that is compiled for the method: its lanes, or one state at a time.
 class Engine {
@@ -154,11 +162,14 @@ int simulate_ensemble(const EnsembleJob& job) {
   if (scenarios.normalised() > 0)
     remark("note: Euler parameters of " + std::to_string(scenarios.normalised()) + " scenarios were normalised");
   EndsFile ends(job.csv, job.scene);
+  const std::unique_ptr<AtomicFile> drawn = drawn_file(job, table);
   Engine engine(job);
   const EnsembleSummary summary = run_all(job, table, scenarios, engine, ends, interrupts);
   if (summary.finished == 0) throw IntegrationError("every scenario stopped; the first: " + summary.first_stop());
-  ends.finish();
-  if (!job.ensemble.drawn.empty()) write_file(job.ensemble.drawn, csv_text(table));
+  std::vector<AtomicFile*> files;
+  for (AtomicFile* file : {drawn.get(), ends.file()})
+    if (file) files.push_back(file);
+  commit_all(files);
   if (job.json) {
     Json json = {{"model", job.scene.name}, {"hash", engine.hash()}};
     json.update(summary.json());

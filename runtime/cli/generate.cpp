@@ -119,7 +119,9 @@ void write(std::deque<Product>& products, const Options& options, const Generate
   if (options.abi) texts.insert(texts.end(), {&generated.abi, &abi_header});
   if (options.taylor) texts.push_back(&generated.taylor);
   for (std::size_t i = 0; i < texts.size(); ++i) products[i].write(*texts[i]);
-  for (Product& product : products) product.file.commit();
+  std::vector<AtomicFile*> files;
+  for (Product& product : products) files.push_back(&product.file);
+  commit_all(files);
 }
 
 std::string report_text(const scene::Scene& scene, const Generated& generated, const std::deque<Product>& products) {

@@ -62,9 +62,11 @@ CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, c
   Generated generated = generate(scene, options);
   for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
+  compile::Options compiling = compile_options(arguments);
+  compiling.poll = [&interrupts] { interrupts.poll(); };
   compile::Model library = [&] {
     try {
-      return compile::build(source(generated), compile_options(arguments));
+      return compile::build(source(generated), compiling);
     } catch (const BuildError&) {
       interrupts.poll();  // a compiler that the same Ctrl-C ended
       throw;
@@ -111,7 +113,12 @@ std::string build_text(const BuildArguments& arguments) {
 }
 
 compile::Options compile_options(const BuildArguments& arguments) {
-  return {arguments.compiler, words(arguments.flags), arguments.flags_given, arguments.cache, !arguments.no_cache};
+  return {.compiler = arguments.compiler,
+          .flags = words(arguments.flags),
+          .flags_given = arguments.flags_given,
+          .cache = arguments.cache,
+          .use_cache = !arguments.no_cache,
+          .tell = [](const std::string& text) { remark("note: " + text); }};
 }
 
 CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,

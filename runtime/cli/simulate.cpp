@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
-#include <system_error>
 
 #include "generator/scene/check.hpp"
 #include "runtime/base/error.hpp"
@@ -101,11 +99,6 @@ bool takes_standard_output(const Options& options) {
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code unknown;  // where one is not there yet
-  return !a.empty() && (a == b || std::filesystem::equivalent(a, b, unknown));
-}
-
 void refuse_same_file(const Options& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
@@ -128,6 +121,7 @@ class Products {
   // rows_before: of the trajectory that the run goes on from.
   Products(const Options& options, const scene::Scene& scene, const std::string& rows_before) {
     refuse_same_file(options);
+    csv_path_ = options.csv;
     const integrate::StateNames names = trajectory_names(scene);
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
     if (csv_ && is_same_file(options.csv, options.resume)) csv_->add_text(rows_before);
@@ -148,15 +142,29 @@ class Products {
     return end_;
   }
 
+  // All of them, or none; but rows that were integrated are kept whatever befalls the rest, which the message says.
   void finish(const Json& final_state) {
-    if (csv_) csv_->finish();
-    if (plot_) plot_->finish();
-    if (!final_) return;
-    final_->write(json_text(final_state));
-    final_->commit();
+    try {
+      if (plot_) plot_->draw();
+      if (final_) final_->write(json_text(final_state));
+      commit_all(files());
+    } catch (const FileError& error) {
+      if (!csv_) throw;
+      csv_->finish();
+      throw Error(error.what() + std::string("; the rows are in ") + csv_path_);
+    }
   }
 
  private:
+  std::vector<AtomicFile*> files() {
+    std::vector<AtomicFile*> list;
+    if (plot_) list.push_back(&plot_->file());
+    if (final_) list.push_back(&*final_);
+    if (csv_) list.push_back(&csv_->file());
+    return list;
+  }
+
+  std::string csv_path_;
   std::optional<integrate::Trajectory> csv_;
   std::optional<integrate::Plot> plot_;
   std::optional<AtomicFile> final_;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/integrate/plot.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/process.hpp"
+#include "runtime/base/temporary.hpp"
 #include "runtime/integrate/panels.hpp"
 
 namespace kanec::integrate {
@@ -20,26 +17,6 @@ fs::path require_gnuplot() {
   if (const auto program = find_program("gnuplot")) return *program;
   throw InputError("a plot needs gnuplot, which is not on the PATH; it comes with the Debian package gnuplot-nox");
 }
-
-// A folder of its own, removed with all that is in it.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "kanec-plot.XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw FileError(name, std::strerror(errno));
-    path_ = name;
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Enough for the width of a panel, and the whole picture within a few megabytes.
 std::size_t most_samples(const PlotData& data) { return std::clamp<std::size_t>(300'000 / data.columns(), 400, 1200); }
@@ -81,11 +58,11 @@ void Plot::thin() {
   stride_ *= 2;
 }
 
-void Plot::finish() {
+void Plot::draw() {
   if (seen_ == 0) throw InternalError("a plot without rows");
   const double last_kept = data_.values[data_.values.size() - data_.columns()];
   if (last_kept != current_.front()) append_current();
-  const PrivateFolder folder;
+  const TemporaryFolder folder(temporary_root() / "kanec-plot");
   const fs::path picture = folder.path() / "plot.svg";
   const ProcessResult result = run_process({gnuplot_.string(), "-d", "-"}, gnuplot_script(data_, picture.string()));
   const std::string svg = fs::exists(picture) ? read_file(picture) : "";
@@ -93,6 +70,10 @@ void Plot::finish() {
     throw FileError(path_.string(),
                     "gnuplot failed with status " + std::to_string(result.status) + "\n" + result.output);
   file_.write(svg);
+}
+
+void Plot::finish() {
+  draw();
   file_.commit();
 }
 

@@ -13,7 +13,7 @@
 
 namespace kanec::integrate {
 
-// The file stands under its name after finish() only.
+// The file stands under its name after finish() only, or after draw() and commit_all() of it with others.
 class Plot {
  public:
   // `driven`: prescribed coordinates do work that is no applied load's. Throws InputError where there is no gnuplot,
@@ -22,8 +22,10 @@ class Plot {
 
   void add(const Row& row);
 
-  // Runs gnuplot and writes the file. Throws FileError with gnuplot's words where it fails.
+  // Runs gnuplot and writes the picture to file(). Throws FileError with gnuplot's words where it fails.
+  void draw();
   void finish();
+  AtomicFile& file() { return file_; }
 
  private:
   void append_current();

@@ -21,7 +21,8 @@ namespace kanec::integrate {
 std::string csv_header(const StateNames& names, bool has_energy);
 void append_csv(std::string& line, const Row& row, std::span<const int> inputs = {});
 
-// The file stands under its name after finish() only; every failure is a FileError and leaves nothing behind.
+// The file stands under its name after finish() only, or after commit_all() of it with others; every failure is a
+// FileError and leaves nothing behind.
 class Trajectory {
  public:
   // Opens the file at once, so that an unwritable path is known before the run. Throws InternalError for names that
@@ -32,6 +33,7 @@ class Trajectory {
   // Rows as they stand in such a file.
   void add_text(std::string_view rows) { file_.write(rows); }
   void finish() { file_.commit(); }
+  AtomicFile& file() { return file_; }
 
  private:
   AtomicFile file_;

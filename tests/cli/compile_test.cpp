@@ -1,5 +1,7 @@
 // Compilation as a user of the command meets it, with a private cache and a compiler that counts its runs.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <unistd.h>
+
 #include <algorithm>
 
 #include "runtime/compile/compiler.hpp"
@@ -108,6 +110,36 @@ TEST_F(Compile, cache_that_cannot_be_is_done_without) {
   const Answer answer = kanec(simulate({"--cache", "/dev/null/cache"}));
   EXPECT_EQ(answer.status, 0);
   EXPECT_THAT(answer.err, HasSubstr("kanec: note: the compiled model is not kept: "));
+}
+
+TEST_F(Compile, entry_that_others_may_write_to_is_not_read_which_is_told) {
+  EXPECT_EQ(kanec(simulate({})).status, 0);
+  fs::permissions(library(), fs::perms(0666));
+  const Answer answer = kanec(simulate({}));
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, HasSubstr("kanec: note: " + library().string() +
+                                    ": not read, because others may write to it; compiled anew\n"));
+  EXPECT_EQ(runs(), 2);
+}
+
+// The first one is stopped by its compiler, which goes on.
+TEST_F(Compile, who_waits_for_a_stopped_one_says_so_and_goes_on_alone) {
+  const std::string real = compile::find_compiler("").path.string();
+  write_script("stopping", "for word; do test \"$word\" = --version && exec '" + real + "' --version; done\ntest -e '" +
+                               tool("first") + "' || { echo $PPID > '" + tool("first") +
+                               "'; kill -STOP $PPID; }\nexec '" + real + "' \"$@\"\n");
+  const std::vector<std::string> arguments = simulate({"--compiler", tool("stopping")});
+  std::vector<std::string> command = {"/bin/sh", "-c", "\"$0\" \"$@\" >/dev/null 2>&1 &", KANEC_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  run_process(command);
+  while (!fs::exists(tool("first")) || fs::file_size(tool("first")) == 0) ::usleep(10'000);
+  const std::string number = std::to_string(std::stoi(read_file(tool("first"))));
+  const Answer answer = kanec(arguments);
+  EXPECT_EQ(answer.status, 0);
+  const std::string who = "process " + number + " (kanec), which compiles the same model";
+  EXPECT_THAT(answer.err, HasSubstr("kanec: note: waiting for " + who + "\n"));
+  EXPECT_THAT(answer.err, HasSubstr("kanec: note: " + who + ", is stopped and not waited for any longer"));
+  run_process({"/bin/sh", "-c", "kill -KILL " + number});
 }
 
 }  // namespace

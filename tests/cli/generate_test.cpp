@@ -1,6 +1,9 @@
 // Oracle: the compiler, and that a scene dumped and read again gives the same code.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <cstring>
+
 #include "runtime/compile/compiler.hpp"
+#include "tests/base/small_disk.hpp"
 #include "tests/cli/program.hpp"
 
 namespace kanec::cli::test {
@@ -177,6 +180,27 @@ TEST_F(Generate, unwritable_output_leaves_nothing) {
   refuses({"generate", scene, "-o", "a.hpp", "--abi"}, "allowed with --abi: a folder");
   fs::create_directories(work() / "abi.h");
   refuses({"generate", scene, "--abi"}, "abi.h: Is a directory", {"abi.h"});
+}
+
+TEST_F(Generate, files_on_a_full_disk_are_as_they_were) {
+  const fs::path folder = work() / "folder";
+  fs::create_directory(folder);
+  const kanec::test::SmallDisk disk(folder, "24k");
+  if (disk.error() != 0) GTEST_SKIP() << "a small disk cannot be mounted here: " << std::strerror(disk.error());
+  write_file(folder / "free_body.hpp", "old");
+  const Answer answer = kanec({"generate", model("free_body"), "-o", "folder", "--abi", "--taylor"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, HasSubstr(": No space left on device"));
+  EXPECT_EQ(names(folder), Names{"free_body.hpp"});
+  EXPECT_EQ(read_file(folder / "free_body.hpp"), "old");
+}
+
+TEST_F(Generate, links_are_written_through) {
+  fs::create_directory(work() / "far");
+  fs::create_symlink("far/header", work() / "free_body.hpp");
+  EXPECT_EQ(kanec({"generate", model("free_body")}).status, 0);
+  EXPECT_TRUE(fs::is_symlink(work() / "free_body.hpp"));
+  EXPECT_THAT(read_file(work() / "far" / "header"), HasSubstr("namespace kanec::free_body"));
 }
 
 }  // namespace

@@ -188,6 +188,27 @@ TEST_F(Simulate, plot_is_drawn) {
           {"free.svg"});
 }
 
+TEST_F(Simulate, rows_are_kept_where_the_picture_fails_and_nothing_else_is) {
+  fs::create_directory(work() / "bin");
+  write("bin/gnuplot", "#!/bin/sh\ncat > /dev/null\nexit 3\n");
+  fs::permissions(work() / "bin" / "gnuplot", fs::perms(0700));
+  const Variable path("PATH", (work() / "bin").string() + ":" + std::getenv("PATH"));
+  const Answer answer = kanec(run("free_body", {"--plot", "a.svg", "--csv", "a.csv", "--final", "a.json"}));
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, HasSubstr("a.svg: gnuplot failed with status 3"));
+  EXPECT_THAT(answer.err, HasSubstr("; the rows are in a.csv"));
+  EXPECT_THAT(names(work()), testing::ElementsAre("a.csv", "bin"));
+}
+
+TEST_F(Simulate, trajectory_is_written_through_links) {
+  fs::create_directory(work() / "far");
+  fs::create_symlink("far/rows", work() / "a.csv");
+  EXPECT_EQ(kanec(run("free_body", {"--csv", "a.csv"})).status, 0);
+  EXPECT_TRUE(fs::is_symlink(work() / "a.csv"));
+  EXPECT_THAT(read_file(work() / "far" / "rows"), testing::StartsWith("t[s],"));
+  refuses(run("free_body", {"--csv", "a.csv", "--final", "far/rows"}), "found 'far/rows' twice", {"a.csv", "far"});
+}
+
 TEST_F(Simulate, plot_without_gnuplot_is_refused) {
   const Variable path("PATH", "/nowhere");
   refuses(run("free_body", {"--plot", "free.svg"}), "gnuplot");

@@ -107,6 +107,8 @@ std::string report_of(const std::vector<Contest>& list, const Options& options) 
 
 int bench(const Options& options) {
   if (options.json && options.markdown) throw InputError("--json: found it beside --markdown; allowed: one of them");
+  if (is_same_file(options.svg, options.output))
+    throw InputError("--svg, --output: found the same file; allowed: a file each");
   AtomicFile report(options.output);
   std::optional<AtomicFile> picture;
   if (!options.svg.empty()) picture.emplace(options.svg);
@@ -114,12 +116,13 @@ int bench(const Options& options) {
   const ContestOptions contest{functions(options, scenes), variants(options.variants, options.build),
                                options.no_peers ? std::vector<Peer>{} : peers_beside_program(), options.min_time};
   const std::vector<Contest> list = contests(scenes, contest);
+  std::vector<AtomicFile*> files = {&report};
   if (picture) {
     picture->write(chart(list, {processor_name(), compiler_text(options.build)}));
-    picture->commit();
+    files.insert(files.begin(), &*picture);
   }
   report.write(report_of(list, options));
-  report.commit();
+  commit_all(files);
   return 0;
 }
 

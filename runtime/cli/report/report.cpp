@@ -139,8 +139,7 @@ void check(const Options& options) {
   require_their_part(options);
   if (options.csv && options.evaluates() && options.integrates())
     refuse("--csv: found two tables to write", "it beside --evaluation or --integration");
-  if (!options.plot.empty() && options.plot == options.output)
-    refuse("--plot, --output: found the same file", "a file each");
+  if (is_same_file(options.plot, options.output)) refuse("--plot, --output: found the same file", "a file each");
 }
 
 // Other engines that integrate.
@@ -183,15 +182,17 @@ int report(const Options& given) {
   if (!options.plot.empty()) files = picture_files(options, scenes);
   for (const std::string& name : files) pictures.emplace_back(name);
   Findings findings = found(options, scenes);
+  std::vector<AtomicFile*> written;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!(options.draws_evaluation() ? findings.errors[i].failure : findings.runs[i].failure).empty()) continue;
     pictures[i].write(options.draws_evaluation() ? evaluation_svg(findings.errors[i])
                                                  : integration_svg(findings.runs[i]));
-    pictures[i].commit();
+    written.push_back(&pictures[i]);
     if (!options.draws_evaluation()) findings.runs[i].picture = files[i];
   }
   file.write(text_of(findings, options));
-  file.commit();
+  written.push_back(&file);
+  commit_all(written);
   const std::vector<std::string> failures = findings.failures();
   for (const std::string& failure : failures) remark(failure);
   return failures.empty() ? success : check_failed;
