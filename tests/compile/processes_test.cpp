@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <functional>
@@ -203,7 +204,11 @@ Told wait_for(const fs::path& path, std::chrono::milliseconds patience, const st
   return told;
 }
 
-std::string process(pid_t number) { return "process " + std::to_string(number) + " (compile_test), which works"; }
+// As the system keeps its name.
+std::string process(pid_t number, const std::string& does = "which works") {
+  const std::string program = std::string(::program_invocation_short_name).substr(0, 15);
+  return "process " + std::to_string(number) + " (" + program + "), " + does;
+}
 
 TEST_F(Processes, who_waits_says_for_whom_after_two_seconds_and_when_that_is_given_up) {
   const pid_t holder = start_holder(root() / "lock");
@@ -275,7 +280,7 @@ TEST_F(Processes, stopped_one_does_not_stop_the_second) {
   EXPECT_EQ(evaluate(build(toy(), options)), -12.0);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 60s);
   ASSERT_THAT(told, SizeIs(2));
-  EXPECT_EQ(told[0], "waiting for process " + std::to_string(first) + " (compile_test), which compiles the same model");
+  EXPECT_EQ(told[0], "waiting for " + process(first, "which compiles the same model"));
   EXPECT_THAT(told[1], testing::HasSubstr("is stopped"));
   ::kill(first, SIGCONT);
   EXPECT_EQ(status_of(first), 0);
