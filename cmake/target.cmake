@@ -14,6 +14,9 @@ if(KANEC_SANITIZE)
   target_compile_options(kanec_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(kanec_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(KANEC_FUZZ)
+  target_compile_options(kanec_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets [PRECOMPILE heavy headers]): the link line is the whole
 # permission of a folder. Sources still include what they use; precompiled headers only save time.

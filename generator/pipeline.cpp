@@ -46,7 +46,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
   const emit::Model model{&scene,           version(),           mark, options_text(scene, options), source,
-                          options.optimize, options.longest_line};
+                          options.optimize, options.longest_line,      options.lengths};
   std::string header = emit::emit_header(model, program);
   std::string abi = emit::emit_abi(model, program);
   std::string batch = emit::emit_batch(model, program);

@@ -19,6 +19,7 @@ struct GenerateOptions {
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
   int longest_line = emit::Model{}.longest_line;
+  emit::Lengths lengths = {};
   bool with_taylor = false;  // Generated::taylor
 };
 

@@ -32,7 +32,7 @@ class Emission {
         cost_(cost),
         named_(named),
         angles_(program, function, model.optimize),
-        statements_(program, stages, Stage::state, function.outputs) {
+        statements_(program, stages, Stage::state, function.outputs, function_scope(program, function)) {
     for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
@@ -66,7 +66,7 @@ class Emission {
     for (const Quantity& quantity : function_.quantities) add(quantity);
     end_section();
     store_rest();
-    return comments() + function_text(program_, shape, sections_);
+    return comments() + function_text(program_, shape, sections_, model_.lengths);
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "generator/emit/angles.hpp"
 #include "generator/emit/calls.hpp"
+#include "generator/emit/check_code.hpp"
 #include "generator/emit/form.hpp"
 #include "generator/emit/function.hpp"
 #include "generator/emit/names.hpp"
@@ -37,15 +38,15 @@ std::string emit_header(const Model& model, const program::Program& program) {
   const std::string turns = cos_sin_text(model, program);
   const std::string included =
       includes(program) + (turns.empty() ? "" : "#include <cstdint>\n#include <cstring>\n" + turns);
-  std::string text = preamble(model, program, read, costs) + memory(program, how) + "#pragma once\n\n" + included +
-                     (included.empty() ? "" : "\n") + "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
+  std::string code = "namespace kanec::" + scene.name + " {\n\n" + sizes(scene, read) +
                      "inline constexpr char model_hash[] = \"" + model.hash + "\";\n\n" + state_constants(scene) +
-                     (selects(program) ? selection() : "");
-  text += sparsity(program);
-  text += preparation.text;
+                     (selects(program) ? selection() : "") + sparsity(program) + preparation.text;
   for (std::size_t i = 0; i < costs.size(); ++i)
-    text += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named, how[i]);
-  return text + "\n}  // namespace kanec::" + scene.name + "\n";
+    code += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named, how[i]);
+  code += "\n}  // namespace kanec::" + scene.name + "\n";
+  check_code(code, {"kanec_cos_sin"});
+  return preamble(model, program, read, costs) + memory(program, how) + "#pragma once\n\n" + included +
+         (included.empty() ? "" : "\n") + code;
 }
 
 }  // namespace kanec::emit

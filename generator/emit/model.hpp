@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "generator/scene/scene.hpp"
@@ -12,6 +13,12 @@ namespace kanec::emit {
 // straight lines or loops over bodies whatever they cost.
 enum class Optimize { speed, size, line, loops };
 
+// The longest function that is left whole and the length of a piece of others, in lines.
+struct Lengths {
+  std::size_t whole = 6000;
+  std::size_t piece = 500;
+};
+
 struct Model {
   const scene::Scene* scene = nullptr;
   std::string version;  // of the generator: "0.1.0"
@@ -20,6 +27,7 @@ struct Model {
   std::string source = {};  // where the scene was read: a path, or empty
   Optimize optimize = Optimize::speed;
   int longest_line = 8000;  // operations of a function that for speed is a straight line in any case
+  Lengths lengths = {};
 };
 
 }  // namespace kanec::emit

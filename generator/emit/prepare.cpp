@@ -88,7 +88,11 @@ Preparation emit_prepare(const Used& used, const program::Program& program, cons
     result.text += named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", used.inputs);
   const std::vector<Ref> wanted = fields(program, stages);
   const auto known = labels(program);
-  Statements statements(program, stages, Stage::parameter, wanted);
+  Scope scope;  // of prepare()
+  Scope fields;
+  for (const char* name : {"T", "p", "c"}) scope.reserve(name), fields.reserve(name);
+  for (const std::string& name : functions_called(program)) scope.reserve(name);
+  Statements statements(program, stages, Stage::parameter, wanted, scope);
   std::string members;
   std::string stores;
   const Owners owners(program);
@@ -96,11 +100,11 @@ Preparation emit_prepare(const Used& used, const program::Program& program, cons
   for (const Ref field : wanted) {
     const auto label = known.find(field.node);
     const int body = owners.of(field.node);
-    const std::string name =
-        label != known.end() ? label->second : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]);
+    const std::string name = fields.unique(
+        label != known.end() ? label->second : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]));
     statements.define(name, field);
     members += "  T " + name + ";\n";
-    stores += "  c." + name + " = " + name + ";\n";
+    stores += "  c." + name + " = " + statements.value(field) + ";\n";
     result.named.prepared[field.node] = {"c." + name, false};
   }
   result.text +=

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/scope.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/emit/term.hpp"
 #include "generator/program/overloaded.hpp"
@@ -29,14 +29,21 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 // Labels of the function's quantities, the first that a result has; of its negative "minus_<label>".
 std::unordered_map<Index, std::string> labels(const program::Function& function) {
   std::unordered_map<Index, std::string> result;
-  std::unordered_set<std::string> taken;
   for (const program::Quantity& quantity : function.quantities)
     for (std::size_t i = 0; i < quantity.entries.size(); ++i) {
       const Ref entry = quantity.entries[i];
-      const std::string label = (entry.negative ? "minus_" : "") + quantity.labels[i];
-      if (result.count(entry.node) == 0 && taken.insert(label).second) result[entry.node] = label;
+      result.emplace(entry.node, (entry.negative ? "minus_" : "") + quantity.labels[i]);
     }
   return result;
+}
+
+// What stands around the statements: the arguments and members of the class, and names of the state.
+Scope series_scope(const program::Program& program, const program::Function& function) {
+  Scope scope = function_scope(program, function);
+  for (const char* name : {"z", "zdot", "k", "n", "now", "v", "f", "s", "F", "S", "N", "count", "size", "stride",
+                           "order", "values", "next", "coefficients", "products", "n_products"})
+    scope.reserve(name);
+  return scope;
 }
 
 // Names in the order of their numbers, as the entries of an enumeration.
@@ -72,7 +79,7 @@ class Rows {
 class Recursions {
  public:
   Recursions(const program::Program& program, const program::Function& function, const Named& named)
-      : function_(function), named_(named), labels_(labels(function)) {
+      : function_(function), named_(named), labels_(labels(function)), scope_(series_scope(program, function)) {
     std::vector<bool> labelled(program.nodes.size(), false);
     for (const auto& [node, label] : labels_) labelled[at(node)] = true;
     series_ = program::series(program, function, labelled);
@@ -160,8 +167,15 @@ class Recursions {
     if (const auto* variable = std::get_if<program::Variable>(&node(i)))
       return variable_name(series_.program, *variable, Stage::state);
     const auto known = labels_.find(i);
-    if (known != labels_.end()) return known->second;
-    return prefix_ + std::to_string(++temporaries_[prefix_]);
+    if (known != labels_.end()) return unique(known->second);
+    return unique(prefix_ + std::to_string(++temporaries_[prefix_]));
+  }
+
+  // With its rate's name, d_<name>, for itself as well.
+  std::string unique(const std::string& wish) {
+    const std::string name = scope_.unique(wish);
+    scope_.reserve("d_" + name);
+    return name;
   }
 
   void hold(Index i) { both("[[maybe_unused]] const T " + name(i) + " = " + text(operation(i)) + ";"); }
@@ -353,6 +367,7 @@ class Recursions {
   const program::Function& function_;
   const Named& named_;
   std::unordered_map<Index, std::string> labels_;
+  Scope scope_;
   Series series_;
   std::vector<Stage> stages_;
   std::vector<std::string> names_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/emit/angles.hpp"
+#include "generator/emit/model.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
@@ -33,13 +34,7 @@ struct Shape {
   Angles angles;           // of which the arrays cosines and sines are
 };
 
-// The longest function that is left whole and the length of a piece, in lines.
-struct Lengths {
-  std::size_t whole = 6000;
-  std::size_t piece = 500;
-};
-
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,
-                          const Lengths& lengths = {});
+                          const Lengths& lengths);
 
 }  // namespace kanec::emit

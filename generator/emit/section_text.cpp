@@ -45,9 +45,11 @@ class Text {
   Text(const RolledScope& scope, const SectionClass& kind, int number, Gathered& gathered)
       : scope_(scope), kind_(kind), gathered_(gathered), body_(kind.body) {
     result_.name = section_name(kind, number);
-    taken_ = {"c",      "t",   "x", "y",   "ydot",  "u",       "inputs", "prepared",
-              "frames", "row", "k", "own", "frame", "cosines", "sines"};
-    for (const program::Result& made : results(*scope.function)) taken_.insert(made.out);
+    for (const char* name : {"T", "c", "t", "x", "y", "ydot", "u", "inputs", "prepared", "frames", "row", "k", "own",
+                             "frame", "cosines", "sines", "select", "Number"})
+      names_.reserve(name);
+    for (const program::Result& made : results(*scope.function)) names_.reserve(made.out);
+    for (const std::string& function : functions_called(*scope.program)) names_.reserve(function);
     for (const Index k : kind.bodies) own_.push_back(std::max(k, 0));
     find_frames();
     list_places();
@@ -138,6 +140,8 @@ class Text {
     const std::string& letter = letter_of_.at(places);
     const std::string name = places == own_ ? "own" : "of_" + letter;
     if (framed_.insert(name).second) {
+      names_.reserve(name);
+      names_.reserve(letter);
       Columns::Places begins;
       for (const Index k : places) begins.push_back(scope_.rolled->begins[at(k)]);
       const std::string index = are_equal(places) ? std::to_string(begins[0]) : letter;
@@ -156,14 +160,8 @@ class Text {
 
   std::string field(Index i) const { return "frame::" + scope_.fields[at(i)]; }
 
-  std::string unique(const std::string& name) {
-    std::string result = name;
-    for (int i = 2; !taken_.insert(result).second; ++i) result = name + "_" + std::to_string(i);
-    return result;
-  }
-
   void load(std::size_t i, const std::string& name, const std::string& value) {
-    body_.names.x[i] = unique(name);
+    body_.names.x[i] = names_.unique(name);
     loads_ += block("  const T " + body_.names.x[i] + " = " + value + ";", "      ");
   }
 
@@ -265,14 +263,14 @@ class Text {
   std::string make_statements() {
     const program::Function& function = body_.functions[0];
     const std::vector<Stage> stages = program::stages(body_);
-    Statements statements(body_, stages, Stage::state, function.outputs);
+    Statements statements(body_, stages, Stage::state, function.outputs, names_);
     const char* letter = kind_.pass == program::Pass::outward ? "t" : kind_.pass == program::Pass::inward ? "b" : "z";
     take_turns(statements);
     statements.number_temporaries(letter + (own_[0] > 0 ? letter_of_.at(own_) : "") + "_");
     std::string text;
     std::size_t entry = 0;
     for (const program::Quantity& quantity : function.quantities) {
-      for (const Ref ref : quantity.entries) statements.define(unique(kind_.names[entry++].with(letter_of_.at(own_))), ref);
+      for (const Ref ref : quantity.entries) statements.define(kind_.names[entry++].with(letter_of_.at(own_)), ref);
       const std::string meaning = quantity.meaning.empty() ? "" : ": " + quantity.meaning;
       text += lines(statements, "  // " + lettered_equation(quantity.equation, letters_) + meaning);
     }
@@ -410,7 +408,8 @@ class Text {
   Columns columns_;
   std::vector<std::pair<std::string, Columns::Places>> body_columns_;
   std::vector<const std::vector<program::Number>*> numbers_;
-  std::set<std::string> framed_, taken_, parameters_;
+  Scope names_;  // taken in the section
+  std::set<std::string> framed_, parameters_;
   std::string frames_text_, loads_;
   SectionText result_;
 };

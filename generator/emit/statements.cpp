@@ -50,8 +50,8 @@ std::string variable_name(const program::Program& program, const program::Variab
 }
 
 Statements::Statements(const program::Program& program, const std::vector<Stage>& stages, Stage stage,
-                       const std::vector<Ref>& roots)
-    : program_(program), stages_(stages), stage_(stage), alive_(reachable(program, roots)) {
+                       const std::vector<Ref>& roots, Scope scope)
+    : program_(program), stages_(stages), stage_(stage), scope_(std::move(scope)), alive_(reachable(program, roots)) {
   count_uses(roots);
   written_.assign(program.nodes.size(), false);
 }
@@ -75,7 +75,7 @@ void Statements::define(const std::string& label, Ref ref) {
   if (!needs(ref) || has_name(ref) || stage != stage_ || !is_operation || written_[at(ref.node)]) return;
   make_temporaries(ref.node);
   const Term t = operation(program_.nodes[at(ref.node)]);
-  const Name given{ref.negative != t.negative ? "minus_" + label : label, t.negative};
+  const Name given{scope_.unique(ref.negative != t.negative ? "minus_" + label : label), t.negative};
   line("const T " + given.text + " = " + t.text + ";");
   defined_.push_back(given.text);
   name(ref.node, given);
@@ -84,8 +84,7 @@ void Statements::define(const std::string& label, Ref ref) {
 std::string Statements::value(Ref ref) {
   make_temporaries(ref.node);
   if (!has_name(ref) && uses_[at(ref.node)] > 1 && operands(program_.nodes[at(ref.node)]).count > 0) {
-    const std::string label = prefix_ + std::to_string(++temporaries_[prefix_]);
-    define(label, {ref.node, false});
+    define(temporary(), {ref.node, false});
   }
   Term t = expression(ref.node);
   t.negative = t.negative != ref.negative;
@@ -100,7 +99,7 @@ void Statements::make_temporaries(Index node) {
     const bool is_operation = operands(program_.nodes[at(operand)]).count > 0;
     if (!is_operation || names_.count(operand) > 0 || stages_[at(operand)] != stage_) continue;
     make_temporaries(operand);
-    if (uses_[at(operand)] > 1) define(prefix_ + std::to_string(++temporaries_[prefix_]), {operand, false});
+    if (uses_[at(operand)] > 1) define(temporary(), {operand, false});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/emit/scope.hpp"
 #include "generator/emit/term.hpp"
 #include "generator/program/program.hpp"
 
@@ -32,9 +33,10 @@ std::vector<std::string> wrapped(std::string text, const std::string& indent);
 // a numbered temporary.
 class Statements {
  public:
-  // roots: what the function returns. Nodes of another stage must have names before they are used.
+  // roots: what the function returns. Nodes of another stage must have names before they are used. scope: names that are
+  // taken.
   Statements(const program::Program& program, const std::vector<program::Stage>& stages, program::Stage stage,
-             const std::vector<program::Ref>& roots);
+             const std::vector<program::Ref>& roots, Scope scope);
 
   bool needs(program::Ref ref) const { return alive_[at(ref.node)]; }
   bool has_name(program::Ref ref) const { return names_.count(ref.node) > 0; }
@@ -47,8 +49,8 @@ class Statements {
   void number_temporaries(const std::string& prefix);
 
   // Appends "const T <label> = <expression>;" where the node has no name yet, and temporaries before it. Where the
-  // program holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign. Nothing
-  // where the one expression that uses it is written already.
+  // program holds the negative of the value, that is named, "minus_<label>": no operation is spent on a sign. A label
+  // that another result bears gets a number behind. Nothing where the one expression that uses it is written already.
   void define(const std::string& label, program::Ref ref);
   // The expression of a value, after temporaries that it needs.
   std::string value(program::Ref ref);
@@ -65,6 +67,7 @@ class Statements {
   static std::size_t at(program::Index index) { return static_cast<std::size_t>(index); }
   void count_uses(const std::vector<program::Ref>& roots);
   void make_temporaries(program::Index node);
+  std::string temporary() { return prefix_ + std::to_string(++temporaries_[prefix_]); }
   Term expression(program::Index node);
   Term operation(const program::Node& node);
   Term call(const program::UnaryCall& op);
@@ -77,6 +80,7 @@ class Statements {
   const program::Program& program_;
   const std::vector<program::Stage>& stages_;
   program::Stage stage_;
+  Scope scope_;
   std::vector<bool> alive_;
   std::vector<int> uses_;
   std::vector<bool> written_;  // without a name, in the expression that alone uses it

@@ -2,6 +2,7 @@
 #include "generator/emit/taylor.hpp"
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/check_code.hpp"
 #include "generator/emit/marked.hpp"
 #include "generator/emit/prepare.hpp"
 #include "generator/emit/recursions.hpp"
@@ -90,10 +91,14 @@ std::string emit_taylor(const Model& model, const program::Program& program) {
   const scene::Scene& scene = *model.scene;
   const Preparation preparation = emit_prepare(used(scene, program), program, program::stages(program));
   const RecursionText recursions = recursion_text(program, *function, preparation.named);
-  return head(model) + "namespace kanec::" + scene.name + " {\n\n" +
-         (recursions.chooses && !selects(program) ? selection() : "") +
-         class_text(recursions, function->outputs.size(), preparation.named.has_inputs) +
-         "\n}  // namespace kanec::" + scene.name + "\n";
+  const std::string code = "namespace kanec::" + scene.name + " {\n\n" +
+                           (recursions.chooses && !selects(program) ? selection() : "") +
+                           class_text(recursions, function->outputs.size(), preparation.named.has_inputs) +
+                           "\n}  // namespace kanec::" + scene.name + "\n";
+  // the header's names, and members of the class that its functions stand before
+  check_code(code, {"kanec_series", "Prepared", "Inputs", "select", "values", "next", "F", "S", "products", "n_products",
+                    "stride", "now", "v", "f", "s"});
+  return head(model) + code;
 }
 
 }  // namespace kanec::emit

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/program/builder.hpp"
+#include "generator/program/substitute.hpp"
 
 namespace kanec::program {
 namespace {
@@ -44,10 +45,8 @@ class Merged {
 
  private:
   Quantity unique(Quantity quantity, const std::string& suffix) {
-    for (std::string& label : quantity.labels) {
-      if (labels_.count(label) > 0) label += "_" + suffix;
-      labels_.insert(label);
-    }
+    for (std::string& label : quantity.labels)
+      while (!labels_.insert(label).second) label += "_" + suffix;
     return quantity;
   }
 
@@ -70,13 +69,31 @@ void merge_quantities(std::vector<Quantity>& list, const std::vector<Quantity>& 
   Merged(list).add(more, suffix, from == From::beginning ? 0 : list.size());
 }
 
+namespace {
+
+// The part that returns ẏ, which others may take; empty where there is none.
+std::string giver(const Program& program, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (find(program, name).signature.out == "ydot") return name;
+  return "";
+}
+
+}  // namespace
+
 Function combined(Program& program, const std::vector<std::string>& names) {
   const Ref zero = appended(program, [](Builder& builder) { return builder.constant(0.0); });
   Function result;
   result.signature = {false, false, false, false, "", "", 0, {}};
   Merged quantities(result.quantities);
+  const std::string gives = giver(program, names);
+  const auto takes = [&](const std::string& name) { return !gives.empty() && find(program, name).signature.ydot; };
+  if (std::any_of(names.begin(), names.end(), takes)) quantities.add(find(program, gives).quantities, gives);
   for (const std::string& name : names) {
-    const Function& part = find(program, name);
+    Function part = find(program, name);
+    if (takes(name)) {
+      part = substituted(program, part, Group::ydot, find(program, gives).outputs);
+      part.signature.ydot = false;
+    }
     result.name += (result.name.empty() ? "" : "_and_") + name;
     result.meaning += (result.meaning.empty() ? "" : "; ") + part.meaning;
     const std::vector<Ref> outputs = dense(part, zero);

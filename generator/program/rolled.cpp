@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -101,6 +102,12 @@ class Rolling {
     const Members& members = members_[c];
     const std::unordered_map<Index, Stem> known = stems(members[0]);
     auto& fields = fields_.emplace_back();
+    std::set<Stem> taken;  // no two results of a section share a field
+    const auto own_stem = [&taken](const Stem& wish) {
+      Stem own = wish;
+      for (int i = 2; !taken.insert(own).second; ++i) own.back = wish.back + "_" + std::to_string(i);
+      return own;
+    };
     int unnamed = 0;
     const std::size_t count = forms_[members[0]].operations.size();
     for (std::size_t p = 0; p < count; ++p) {
@@ -109,7 +116,7 @@ class Rolling {
       if (!is_kept) continue;
       const auto name = known.find(static_cast<Index>(p));
       const Stem own = name != known.end() ? name->second : Stem{"s", "_" + std::to_string(++unnamed), true};
-      fields[static_cast<Index>(p)] = field(members[0], own);
+      fields[static_cast<Index>(p)] = field(members[0], own_stem(own));
     }
   }
 

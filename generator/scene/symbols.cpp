@@ -18,7 +18,8 @@ constexpr std::array reserved = {"kanec", "std",   "T",      "Parameters", "Inpu
 
 // Namespaces of kanec itself, beside which the one of a scene would stand.
 constexpr std::array namespaces = {"scene",     "symbolic", "program", "lower",  "emit",  "generic",
-                                   "integrate", "compile",  "cli",     "detail", "lanes", "Lanes"};
+                                   "integrate", "compile",  "cli",     "detail", "lanes", "Lanes",
+                                   "kanec_cos_sin", "kanec_series"};
 
 template <class List>
 bool contains(const List& list, const std::string& name) {

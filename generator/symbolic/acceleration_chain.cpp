@@ -31,8 +31,20 @@ ex with_square(const ex& e, const ex& omega, const ex& U) {
 
 }  // namespace
 
-AccelerationChain::AccelerationChain(Derivation& derivation, Rates rates)
-    : derivation_(derivation), rates_(std::move(rates)), spin_{ex(0)}, origin_{-derivation.equations.gravity} {}
+AccelerationChain::AccelerationChain(Derivation& derivation, Rates rates, std::vector<bool> beside_rest)
+    : derivation_(derivation),
+      rates_(std::move(rates)),
+      beside_rest_(std::move(beside_rest)),
+      spin_{ex(0)},
+      origin_{-derivation.equations.gravity} {}
+
+ex AccelerationChain::define(const std::string& name, const std::string& latex, int k, const ex& value,
+                             const std::string& meaning) {
+  const auto at = static_cast<std::size_t>(k);
+  const bool is_solved = at < beside_rest_.size() && beside_rest_[at];
+  return derivation_.define(is_solved ? name + "_solved_" : name, is_solved ? latex + "^{*}" : latex, k, Pass::outward,
+                            value, meaning);
+}
 
 void AccelerationChain::add_spin(int k) {
   const Letters& link = derivation_.letters(k);
@@ -43,10 +55,9 @@ void AccelerationChain::add_spin(int k) {
   }
   if (link.turns_with_lower && GiNaC::is_a<Atom>(link.omega))
     rates_.set(link.omega,
-               derivation_.define("omegadot", "\\dot\\omega", k, Pass::outward, factored(rates_.of(link.omega_value)),
-                                  "angular acceleration, body axes [rad/s^2]"));
-  spin_.push_back(
-      derivation_.define("U", "U", k, Pass::outward, spin_value(rates_, link.omega),
+               define("omegadot", "\\dot\\omega", k, factored(rates_.of(link.omega_value)),
+                      "angular acceleration, body axes [rad/s^2]"));
+  spin_.push_back(define("U", "U", k, spin_value(rates_, link.omega),
                          "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]"));
 }
 
@@ -62,10 +73,10 @@ ex AccelerationChain::with_spin(const ex& acceleration, int k) const {
 void AccelerationChain::add_origin(int k, const ex* known) {
   const int below = derivation_.lower(k);
   const ex value = known ? *known : with_spin(derivation_.in_axes(joint_point(k), below, derivation_.home(k)), below);
-  origin_.push_back(derivation_.define("Pddot", "\\ddot P", k, Pass::outward, value,
-                                       derivation_.home(k) == 0
-                                           ? "acceleration of the body origin, less gravity, inertial axes [m/s^2]"
-                                           : "acceleration of the body origin, less gravity, body axes [m/s^2]"));
+  origin_.push_back(define("Pddot", "\\ddot P", k, value,
+                           derivation_.home(k) == 0
+                               ? "acceleration of the body origin, less gravity, inertial axes [m/s^2]"
+                               : "acceleration of the body origin, less gravity, body axes [m/s^2]"));
 }
 
 ex AccelerationChain::joint_point(int k) const {
@@ -83,10 +94,9 @@ ex AccelerationChain::about_origin(int k) const {
 }
 
 ex AccelerationChain::centre(int k) {
-  return derivation_.define("a", "a", k, Pass::outward, origin(k) + about_origin(k),
-                            derivation_.home(k) == 0
-                                ? "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"
-                                : "acceleration of the mass centre, less gravity, body axes [m/s^2]");
+  return define("a", "a", k, origin(k) + about_origin(k),
+                derivation_.home(k) == 0 ? "acceleration of the mass centre, less gravity, inertial axes [m/s^2]"
+                                         : "acceleration of the mass centre, less gravity, body axes [m/s^2]");
 }
 
 ex AccelerationChain::of_point(int k, const ex& place) const {

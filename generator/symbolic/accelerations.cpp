@@ -115,7 +115,9 @@ class Solution {
 
   // Outward: accelerations of all links, and s̈ where a joint is free.
   void follow() {
-    AccelerationChain chain(derivation_, derivation_.rates);
+    std::vector<bool> beside_rest = {false};
+    for (int k = 1; k <= derivation_.size(); ++k) beside_rest.push_back(!is_alone(k));
+    AccelerationChain chain(derivation_, derivation_.rates, beside_rest);
     const AppliedLoads loads = applied_loads(derivation_);
     for (int k = 1; k <= derivation_.size(); ++k) {
       if (is_alone(k)) {

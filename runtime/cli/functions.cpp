@@ -86,6 +86,7 @@ Needs Functions::needs(const std::string& request) const {
     needs.y = needs.y || available.signature.y;
     needs.ydot = needs.ydot || available.signature.ydot;
   }
+  if (contains(parts, "accelerations")) needs.ydot = false;  // the others have it from there
   return needs;
 }
 

@@ -60,10 +60,15 @@ std::vector<double> emitted(const kanec_model& model, const scene::Scene& scene,
 template <class Real>
 std::vector<Real> generic_path(const scene::Scene& scene, const std::vector<std::string>& parts, const State& state) {
   const generic::System<Real> system(scene, state.parameters);
-  const auto x = as<Real>(state.x), y = as<Real>(state.y), ydot = as<Real>(state.ydot), u = as<Real>(state.inputs);
+  const auto x = as<Real>(state.x), y = as<Real>(state.y), u = as<Real>(state.inputs);
+  auto ydot = as<Real>(state.ydot);
+  const auto evaluate = [&](const std::string& part) {
+    return generic::evaluate<Real>(system, part, {Real(state.t), x, y, ydot, u});
+  };
+  if (std::find(parts.begin(), parts.end(), "accelerations") != parts.end()) ydot = evaluate("accelerations");
   std::vector<Real> result;
   for (const std::string& part : parts) {
-    const std::vector<Real> values = generic::evaluate<Real>(system, part, {Real(state.t), x, y, ydot, u});
+    const std::vector<Real> values = evaluate(part);
     result.insert(result.end(), values.begin(), values.end());
   }
   return result;

@@ -7,9 +7,14 @@ namespace kanec::test {
 
 using scene::Number;
 
+std::string RandomNumbers::own_name(const std::string& name) const {
+  const std::size_t before = scene_.parameters.size() + scene_.inputs.size();
+  return before < options_.names.size() ? options_.names[before] : name;
+}
+
 Number RandomNumbers::number(const std::string& name, double value) {
   if (!random_.chance(options_.parameter_share)) return Number::constant(value);
-  scene_.parameters.push_back({name, value});
+  scene_.parameters.push_back({own_name(name), value});
   return Number::parameter(static_cast<int>(scene_.parameters.size()) - 1);
 }
 
@@ -27,7 +32,7 @@ Number RandomNumbers::load_entry(const std::string& name, double low, double hig
     const double value = random_.uniform(low, high);
     return random_.chance(options_.zero_share) ? Number::constant(0) : number(name, value);
   }
-  scene_.inputs.push_back({name, random_.uniform(low, high)});
+  scene_.inputs.push_back({own_name(name), random_.uniform(low, high)});
   return Number::input(static_cast<int>(scene_.inputs.size()) - 1);
 }
 

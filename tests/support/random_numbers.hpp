@@ -25,6 +25,7 @@ class RandomNumbers {
   void some_to_expressions(scene::Vector& vector, double range);
 
  private:
+  std::string own_name(const std::string& name) const;
   scene::Number number_or_zero(const std::string& name, double range);
   scene::Number load_entry(const std::string& name, double low, double high);
   scene::Number expression(double size);

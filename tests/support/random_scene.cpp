@@ -28,7 +28,8 @@ scene::Body random_body(Random& random, RandomNumbers& make, scene::Scene& scene
     body.moment = make.load("M_" + number, 5);
   }
   if (!options.joints.empty()) {
-    const int kind = random.below(static_cast<int>(options.joints.size()));
+    const int kind = options.in_order ? static_cast<int>(scene.bodies.size())
+                                      : random.below(static_cast<int>(options.joints.size()));
     body.joint = random_joint(random, scene, options.joints[static_cast<std::size_t>(kind)], options);
     body.initial.eps = random_eps(random);
     if (body.joint.kind == "weld" && random.chance(options.massless_share))

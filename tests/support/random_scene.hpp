@@ -19,6 +19,7 @@ struct RandomSceneOptions {
   double zero_share = 0;       // of the entries of r, q, loads and gravity; of whole triples of products of inertia
 
   std::vector<std::string> joints = {};  // kinds to choose from (every_joint()); empty: free joints at default axes
+  bool in_order = false;                 // each body has the kind of its place among them
   double locked_share = 0;               // of the coordinates and of the balls' attitudes
   double prescribed_share = 0;           // of the coordinates
   bool springs = false;                  // and dampers and efforts: along half of all coordinates, and between points
@@ -26,6 +27,7 @@ struct RandomSceneOptions {
   double expression_share = 0;           // of the loads' numbers, turned into expressions
   int points = 0;                        // named
   double massless_share = 0;             // of the welded bodies, without mass and inertia
+  std::vector<std::string> names = {};   // of parameters and inputs, as far as they go
 };
 
 // All kinds: free, ball, bearing, revolute, universal, gimbal, prismatic, cartesian, cylindrical, planar, screw, weld.
