@@ -77,8 +77,8 @@ Cache::Cache(const fs::path& folder) : folder_(fs::absolute(folder)) {
 std::optional<fs::path> Cache::find(const Place& place) const {
   const fs::path entry = folder_ / place.entry;
   try {
-    if (read_file(entry / "key") != place.key) return std::nullopt;
-    if (read_file(entry / "seal") != seal(read_file(entry / library_name))) return std::nullopt;
+    if (read_file(entry / "key", any_size) != place.key) return std::nullopt;
+    if (read_file(entry / "seal") != seal(read_file(entry / library_name, any_size))) return std::nullopt;
     return entry / library_name;
   } catch (const FileError&) {
     return std::nullopt;
@@ -103,7 +103,7 @@ TemporaryFolder Cache::workplace(const Place& place) const {
 fs::path Cache::store(const fs::path& made, const Place& place) const {
   const fs::path entry = folder_ / place.entry;
   write_file(made / "key", place.key);
-  write_file(made / "seal", seal(read_file(made / library_name)));
+  write_file(made / "seal", seal(read_file(made / library_name, any_size)));
   while (::rename(made.c_str(), entry.c_str()) != 0) {
     const int error = errno;
     if (error != EEXIST && error != ENOTEMPTY && error != ENOTDIR)

@@ -94,12 +94,6 @@ TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
-fs::path temporary_root() {
-  std::error_code failed;
-  const fs::path root = fs::temp_directory_path(failed);
-  return failed ? "/tmp" : root;
-}
-
 void sweep(const fs::path& folder) {
   std::error_code failed;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))

@@ -43,9 +43,6 @@ class TemporaryFolder {
   Descriptor lock_;
 };
 
-// $TMPDIR where that is a folder, else /tmp.
-std::filesystem::path temporary_root();
-
 // Removes from `folder` the lock files and temporary folders of processes that ended without doing so: over a minute
 // old and locked by nobody (over a day old where the file system knows no locks).
 void sweep(const std::filesystem::path& folder);

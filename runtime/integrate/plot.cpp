@@ -25,7 +25,7 @@ fs::path require_gnuplot() {
 class PrivateFolder {
  public:
   PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "kanec-plot.XXXXXX").string();
+    std::string name = (temporary_root() / "kanec-plot.XXXXXX").string();
     if (!::mkdtemp(name.data())) throw FileError(name, std::strerror(errno));
     path_ = name;
   }
@@ -88,10 +88,9 @@ void Plot::finish() {
   const PrivateFolder folder;
   const fs::path picture = folder.path() / "plot.svg";
   const ProcessResult result = run_process({gnuplot_.string(), "-d", "-"}, gnuplot_script(data_, picture.string()));
-  const std::string svg = fs::exists(picture) ? read_file(picture) : "";
+  const std::string svg = fs::exists(picture) ? read_file(picture, any_size) : "";
   if (result.status != 0 || svg.find("</svg>") == std::string::npos)
-    throw FileError(path_.string(),
-                    "gnuplot failed with status " + std::to_string(result.status) + "\n" + result.output);
+    throw FileError(path_.string(), "gnuplot failed with status " + std::to_string(result.status), result.output);
   file_.write(svg);
   file_.commit();
 }
