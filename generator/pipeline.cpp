@@ -8,6 +8,7 @@
 #include "generator/emit/taylor.hpp"
 #include "generator/reach.hpp"
 #include "generator/regular.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/hash.hpp"
 
 namespace kanec {
@@ -53,7 +54,7 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   std::string taylor = options.with_taylor ? emit::emit_taylor(model, program) : "";
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
-  if (!source.empty()) replace_all(header, source, scene.source);
+  if (!source.empty()) replace_all(header, source, fit::comment(scene.source));
   for (std::string* text : {&abi, &batch, &taylor}) replace_all(*text, mark, hash);
   return {program,           scene.name,      hash, std::move(header), std::move(abi), std::move(batch),
           std::move(taylor), std::move(notes)};

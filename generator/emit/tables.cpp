@@ -5,6 +5,7 @@
 
 #include "generator/symbolic/factor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -288,13 +289,11 @@ std::string broken(const std::string& side) {
 }  // namespace
 
 std::string latex_document(const symbolic::Equations& equations) {
-  std::string name;
-  for (const char c : equations.scene.name) name += c == '_' ? "\\_" : std::string(1, c);
   std::string text =
       "\\documentclass{article}\n\\usepackage{amsmath}\n\\usepackage[landscape,margin=15mm]{geometry}\n"
       "\\allowdisplaybreaks\n\\begin{document}\n\\section*{" +
-      name + ": " + std::to_string(size(equations.scene)) + (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" +
-      joints(equations.scene) +
+      fit::latex(equations.scene.name) + ": " + std::to_string(size(equations.scene)) +
+      (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" + joints(equations.scene) +
       "\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
       "$K$.\n";
   for (const Table& table : tables(equations, Style::latex)) {
