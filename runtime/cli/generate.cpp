@@ -11,6 +11,7 @@
 #include "kanec_abi_text.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
@@ -131,7 +132,7 @@ std::string report_text(const scene::Scene& scene, const Generated& generated, c
                   counted(scene.inputs.size(), "input", "inputs"), generated.hash);
   text += ledger_text(generated.program) + "\n";
   for (const Product& product : products)
-    text += fmt::format("wrote {} ({} bytes)\n", product.path.string(), product.bytes);
+    text += fmt::format("wrote {} ({} bytes)\n", fit::line(product.path.string()), product.bytes);
   return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include "generator/pipeline.hpp"
 #include "generator/program/critical_path.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
 
@@ -98,8 +99,8 @@ Json costs_json(const std::vector<SceneCost>& costs) {
 
 std::string costs_markdown(const std::vector<SceneCost>& costs, const std::string& command) {
   std::string text =
-      "# Ledger\n\nWritten by `" + command +
-      "`; a test compares. One evaluation of each emitted function, counted exactly:\noperations are additions, "
+      "# Ledger\n\nWritten by " + fit::code(command) +
+      "; a test compares. One evaluation of each emitted function, counted exactly:\noperations are additions, "
       "multiplications and divisions in double; square roots, sines and cosines and other functions\nstand beside "
       "them. What depends on parameters alone is computed once, in `prepare`.\n\n## Operations by scene\n\n" +
       markdown_table(overview(costs), 1);

@@ -8,6 +8,7 @@
 
 #include "generator/candidates.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
 #include "runtime/lanes/files.hpp"
@@ -105,8 +106,8 @@ std::string build_text(const BuildArguments& arguments) {
   if (arguments.algorithm) text += " --algorithm " + name(*arguments.algorithm);
   for (const auto& [goal, optimize] : goals())
     if (optimize == arguments.optimize && optimize != BuildArguments().optimize) text += " --optimize " + goal;
-  if (!arguments.compiler.empty()) text += " --compiler " + arguments.compiler;
-  if (arguments.flags_given) text += " --flags '" + arguments.flags + "'";
+  if (!arguments.compiler.empty()) text += " --compiler " + fit::shell(arguments.compiler);
+  if (arguments.flags_given) text += " --flags " + fit::shell(arguments.flags);
   return text;
 }
 
