@@ -10,6 +10,7 @@
 #include "generator/program/critical_path.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/output.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -55,7 +56,9 @@ std::string markdown_table(const std::vector<TextRow>& rows, std::size_t first_r
 
 SceneCost cost_of(const scene::Scene& scene, bool all_functions) {
   const std::vector<std::string> functions = all_functions ? Functions(scene).names() : std::vector<std::string>{};
-  const program::Program program = generate(scene, {functions}).program;
+  GenerateOptions options{functions};
+  options.tell = [](const std::string& note) { remark("note: " + note); };
+  const program::Program program = generate(scene, options).program;
   SceneCost cost{scene.name, size(scene), n_coordinates(scene), n_speeds(scene), {}, program::prepare_ledger(program)};
   const std::vector<program::Ledger> ledgers = program::ledgers(program);
   for (std::size_t i = 0; i < ledgers.size(); ++i)

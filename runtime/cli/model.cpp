@@ -56,11 +56,11 @@ const std::map<std::string, emit::Optimize>& goals() {
 
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
-CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+CompiledModel build(const scene::Scene& scene, GenerateOptions options, const BuildArguments& arguments,
                     const std::string& what, SourceOf source) {
   const Interrupts interrupts;
+  options.tell = [](const std::string& note) { remark("note: " + note); };
   Generated generated = generate(scene, options);
-  for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
   compile::Model library = [&] {
     try {
