@@ -145,19 +145,19 @@ program::Program program_of_groups(const Groups& groups, const scene::Scene& sce
   std::vector<std::string> order;
   for (const auto& [way, some] : groups) {
     program::Program part = program::optimized(program_of(scene, some, way));
-    all = order.empty() ? std::move(part) : program::joined(std::move(all), part);
+    all = order.empty() ? std::move(part) : program::joined(std::move(all), std::move(part));
     order.insert(order.end(), some.begin(), some.end());
   }
   std::vector<program::Function> functions;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), names[i]) - order.begin());
-    functions.push_back(all.functions[at]);
+    functions.push_back(std::move(all.functions[at]));
     functions.back().choice = chosen[i].choice;
   }
   all.functions = std::move(functions);
   if (groups.size() == 1) return all;
   // what prepare() does is shared; the calls are left as they are, whatever others there are
-  return program::drop_dead(scene.parameters.empty() ? all : program::share(all));
+  return program::drop_dead(scene.parameters.empty() ? std::move(all) : program::share(std::move(all)));
 }
 
 void insert(std::vector<std::string>& list, const std::string& item) {

@@ -8,6 +8,7 @@
 #include "generator/emit/taylor.hpp"
 #include "generator/reach.hpp"
 #include "generator/regular.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/hash.hpp"
 
 namespace kanec {
@@ -32,15 +33,20 @@ std::string without(std::string text, const std::string& what) {
   return text;
 }
 
+void tell(const GenerateOptions& options, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (options.tell) options.tell(note);
+}
+
 }  // namespace
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   check_regular(scene);
   const bool are_named = !options.functions.empty() || !scene.functions.empty();
   const Reach reach = within_reach(scene, requested_functions(scene, options.functions), are_named);
-  const program::Program program = cheapest_program(scene, reach.names, options.algorithm);
-  std::vector<std::string> notes = reach.notes;
-  for (std::string& note : notes_on_size(program)) notes.push_back(std::move(note));
+  tell(options, reach.notes);
+  program::Program program = cheapest_program(scene, reach.names, options.algorithm);
+  tell(options, notes_on_size(program, reach));
   // the hash is of the text that it stands in, but for where the scene was found; written first with marks in their
   // places
   const std::string mark = "@model-hash-mark";
@@ -53,10 +59,9 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   std::string taylor = options.with_taylor ? emit::emit_taylor(model, program) : "";
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
-  if (!source.empty()) replace_all(header, source, scene.source);
+  if (!source.empty()) replace_all(header, source, fit::comment(scene.source));
   for (std::string* text : {&abi, &batch, &taylor}) replace_all(*text, mark, hash);
-  return {program,           scene.name,      hash, std::move(header), std::move(abi), std::move(batch),
-          std::move(taylor), std::move(notes)};
+  return {std::move(program), scene.name, hash, std::move(header), std::move(abi), std::move(batch), std::move(taylor)};
 }
 
 std::string version() { return KANEC_VERSION; }

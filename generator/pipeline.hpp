@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct GenerateOptions {
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
   int longest_line = emit::Model{}.longest_line;
-  emit::Lengths lengths = {};
   bool with_taylor = false;  // Generated::taylor
+  std::function<void(const std::string& note)> tell = {};  // gets notes for the user, as soon as they are known
+  emit::Lengths lengths = {};
 };
 
 struct Generated {
@@ -31,7 +33,6 @@ struct Generated {
   std::string abi;     // <name>_abi.cpp
   std::string batch;   // <name>_batch.cpp
   std::string taylor;  // <name>_taylor.hpp, where asked for and the functions have all rates in one
-  std::vector<std::string> notes = {};  // on what was asked for, for the user
 };
 
 // Throws InputError for a function that the scene does not have, and for a scene whose A is singular where it begins.

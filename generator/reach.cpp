@@ -24,11 +24,15 @@ std::string counted(long operations) {
 
 std::string some(long operations) { return "some " + counted(operations); }
 
+bool is_free(const scene::Coordinate& c) { return c.motion == scene::Coordinate::Motion::free; }
+
+// Its speeds, several turns counted as more: they have a link each.
 double speeds(const scene::Joint& joint) {
-  const auto is_free = [](const scene::Coordinate& c) { return c.motion == scene::Coordinate::Motion::free; };
-  const auto free = std::count_if(joint.turns.begin(), joint.turns.end(), is_free) +
-                    std::count_if(joint.slides.begin(), joint.slides.end(), is_free);
-  return static_cast<double>(free) + (joint.ball && !joint.held ? 3 : 0);
+  const auto count = [](const std::vector<scene::Coordinate>& list) {
+    return static_cast<double>(std::count_if(list.begin(), list.end(), is_free));
+  };
+  const double turns = joint.ball ? 0 : count(joint.turns);
+  return std::pow(turns, 1.64) + count(joint.slides) + (joint.ball && !joint.held ? 3 : 0);
 }
 
 bool may_turn(const scene::Joint& joint) {
@@ -37,9 +41,9 @@ bool may_turn(const scene::Joint& joint) {
                      [](const scene::Coordinate& c) { return c.motion != scene::Coordinate::Motion::locked; });
 }
 
-bool has_mass_matrix(const std::string& name) {
+bool has_part(const std::string& name, const std::string& part) {
   const std::vector<std::string> of = parts(name);
-  return std::find(of.begin(), of.end(), "mass_matrix") != of.end();
+  return std::find(of.begin(), of.end(), part) != of.end();
 }
 
 // A derivative that the matrix is a step to.
@@ -49,6 +53,39 @@ bool needs_mass_matrix(const scene::Scene& scene, const std::string& name) {
     const std::optional<lower::Derived> derived = lower::derived_function(scene, part);
     return derived && (derived->of == "accelerations" || derived->by.front() == "ydot");
   });
+}
+
+// Of bodies and of scalar speeds that turn them: of turns, and of balls whose ω links above have a share of.
+long turned_pairs(const scene::Scene& scene) {
+  std::vector<bool> passes_on(scene.bodies.size(), false);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    if (scene.lower[k] > 0 && !scene.bodies[k].joint.ball)
+      passes_on[static_cast<std::size_t>(scene.lower[k] - 1)] = true;
+  std::vector<long> turns;  // below and at each body
+  long sum = 0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const scene::Joint& joint = scene.bodies[k].joint;
+    const long below = scene.lower[k] > 0 ? turns[static_cast<std::size_t>(scene.lower[k] - 1)] : 0;
+    const bool is_shared = joint.held || !passes_on[k];
+    const long own = joint.ball ? (is_shared ? 0 : 3) : std::count_if(joint.turns.begin(), joint.turns.end(), is_free);
+    turns.push_back(below + own);
+    sum += turns.back();
+  }
+  return sum;
+}
+
+struct Large {
+  std::string name;
+  long operations;
+};
+
+// Usual functions that grow with the square of the tree, where they have grown too large.
+std::vector<Large> large_functions(const scene::Scene& scene) {
+  std::vector<Large> list = {{"mass_matrix", mass_matrix_operations(scene)},
+                             {"partial_velocities", partial_velocity_operations(scene)},
+                             {"partial_velocity_rates", partial_velocity_rate_operations(scene)}};
+  std::erase_if(list, [](const Large& large) { return large.operations <= much; });
+  return list;
 }
 
 }  // namespace
@@ -68,33 +105,53 @@ long mass_matrix_operations(const scene::Scene& scene) {
   return std::lround(22.5 * sum);
 }
 
-std::vector<std::string> notes_on_size(const program::Program& program) {
+long partial_velocity_operations(const scene::Scene& scene) { return 57 * turned_pairs(scene); }
+
+long partial_velocity_rate_operations(const scene::Scene& scene) { return 122 * turned_pairs(scene); }
+
+std::vector<std::string> notes_on_size(const program::Program& program, const Reach& reach) {
   std::vector<std::string> notes;
-  for (const program::Function& function : program.functions) {
-    const long operations = program::ledger(program, function).operations();
-    if (operations > much && function.name != "mass_matrix")
-      notes.push_back(function.name + " takes " + some(operations) + "; --functions names those to be made");
+  for (std::size_t i = 0; i < reach.names.size(); ++i) {
+    const long operations = program::ledger(program, program.functions[i]).operations();
+    if (operations > much && !reach.is_told[i])
+      notes.push_back(program.functions[i].name + " takes " + some(operations) +
+                      "; --functions names those to be made");
   }
   return notes;
 }
 
-Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& names, bool are_named) {
-  Reach reach{names, {}};
-  const long operations = mass_matrix_operations(scene);
-  if (operations <= much) return reach;
-  std::erase_if(reach.names, [&](const std::string& name) { return !are_named && has_mass_matrix(name); });
-  if (reach.names.size() < names.size())
-    reach.notes.push_back("mass_matrix is left out: it would take " + some(operations) +
-                          "; with --functions mass_matrix it is made");
-  for (const std::string& name : reach.names) {
-    const bool has = has_mass_matrix(name);
-    if (!has && !needs_mass_matrix(scene, name)) continue;
-    if (operations > most)
+namespace {
+
+// The first of the large functions that a request has or needs.
+std::optional<std::string> note_on(const scene::Scene& scene, const std::string& name,
+                                   const std::vector<Large>& large) {
+  for (const auto& [part, operations] : large) {
+    const bool has = has_part(name, part);
+    const bool is_matrix = part == "mass_matrix";
+    if (!has && !(is_matrix && needs_mass_matrix(scene, name))) continue;
+    if (is_matrix && operations > most)
       throw InputError("function " + name + ": found " + some(operations) + " for the mass matrix of this scene" +
                        (has ? "" : ", which it needs") + "; allowed: at most " + counted(most) +
                        " (residual and accelerations do without the matrix)");
-    reach.notes.push_back(name + (has ? " takes " : " needs the mass matrix, which takes ") + some(operations) +
-                          ": minutes to compile");
+    return name + (has ? " takes " : " needs the mass matrix, which takes ") + some(operations) +
+           ": minutes to compile";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Reach within_reach(const scene::Scene& scene, const std::vector<std::string>& names, bool are_named) {
+  Reach reach{names, {}, {}};
+  const std::vector<Large> large = large_functions(scene);
+  for (const auto& [part, operations] : large)
+    if (!are_named && std::erase(reach.names, part) > 0)
+      reach.notes.push_back(part + " is left out: it would take " + some(operations) + "; with --functions " + part +
+                            " it is made");
+  for (const std::string& name : reach.names) {
+    const std::optional<std::string> note = note_on(scene, name, large);
+    reach.is_told.push_back(note.has_value());
+    if (note) reach.notes.push_back(*note);
   }
   return reach;
 }

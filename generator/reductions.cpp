@@ -152,7 +152,7 @@ class Reducing {
 
   // Parameters, inputs and coordinates that nothing asked for depends on.
   void add_unread() {
-    const std::vector<bool> used = program::reachable(program_, program::all_outputs(program_));
+    const std::vector<bool> used = program::reachable(program_);
     std::vector<std::vector<bool>> read(5);
     const auto& names = program_.names;
     const std::vector<const std::vector<std::string>*> lists = {&names.parameters, &names.x, &names.y, &names.ydot,

@@ -54,11 +54,14 @@ Needed needed_for(const scene::Scene& scene, const std::vector<std::string>& nam
 }
 
 void keep(program::Program& program, const std::vector<std::string>& names) {
-  std::vector<program::Function> kept;
-  for (const std::string& name : names) {
-    const std::vector<std::string> of = parts(name);
-    kept.push_back(of.size() > 1 ? program::combined(program, of) : find(program, name));
-  }
+  std::vector<program::Function> kept(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const std::vector<std::string> of = parts(names[i]); of.size() > 1) kept[i] = program::combined(program, of);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (parts(names[i]).size() == 1) {
+      const auto is_named = [&](const program::Function& function) { return function.name == names[i]; };
+      kept[i] = std::move(*std::find_if(program.functions.begin(), program.functions.end(), is_named));
+    }
   program.functions = std::move(kept);
 }
 
@@ -122,10 +125,10 @@ program::Program program_of(const scene::Scene& scene, const std::vector<std::st
   if (!needed.reduced.empty()) program = lower::lower(symbolic::derive(scene, needed.reduced, way));
   if (!needed.whole.empty()) {
     const symbolic::Way none{.reductions = {false, false, false, false, false}};
-    const program::Program whole = lower::lower(symbolic::derive(scene, needed.whole, none));
-    program = needed.reduced.empty() ? whole : program::joined(std::move(program), whole);
+    program::Program whole = lower::lower(symbolic::derive(scene, needed.whole, none));
+    program = needed.reduced.empty() ? std::move(whole) : program::joined(std::move(program), std::move(whole));
   }
-  if (!needed.derived.empty()) program = program::share(program::simplify(program));
+  if (!needed.derived.empty()) program = program::share(program::simplify(std::move(program)));
   for (const lower::Derived& derived : lower::derived_functions(scene))
     if (contains(needed.derived, derived.name)) lower::append_derived(program, scene, derived, way.derivatives);
   keep(program, names);

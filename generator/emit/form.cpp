@@ -7,12 +7,23 @@
 namespace kanec::emit {
 namespace {
 
+// More stores of constants, of which loops spare none, than operations: a matrix of many bodies that have nothing to do
+// with each other.
+bool is_mostly_constant(const program::Program& program, const program::Function& function,
+                        const program::Ledger& cost) {
+  const auto n = std::count_if(function.outputs.begin(), function.outputs.end(), [&](program::Ref output) {
+    return std::holds_alternative<program::Constant>(program.nodes[static_cast<std::size_t>(output.node)]);
+  });
+  return n >= cost.operations() + cost.square_roots + cost.trigonometric + cost.functions;
+}
+
 Form form(const program::Program& program, const program::Function& function, const program::Ledger& cost,
           const Model& model) {
   Form result;
   const Optimize optimize = model.optimize;
   if (optimize == Optimize::line) return result;
   if (optimize == Optimize::speed && cost.operations() <= model.longest_line) return result;
+  if (optimize != Optimize::loops && is_mostly_constant(program, function, cost)) return result;
   std::optional<program::Rolled> loops = program::rolled(program, function);
   if (!loops) return result;
   result.straight = straight_footprint(program, function);

@@ -6,19 +6,13 @@
 #include "generator/emit/angles.hpp"
 #include "generator/emit/calls.hpp"
 #include "generator/emit/statements.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::emit {
 namespace {
 
 using scene::Coordinate;
-
-// One line of printable ASCII, as paths and expressions need not be.
-std::string plain(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
 
 // Wrapped; further lines begin with as many blanks behind the slashes.
 std::string comment(const std::string& text, const std::string& indent = "") {
@@ -37,7 +31,7 @@ std::string bodies(const scene::Scene& scene) {
   std::string text = "// bodies and their joints:\n";
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const int lower = scene.lower[k];
-    text += comment(std::to_string(k + 1) + " " + plain(scene.bodies[k].name) + " on " +
+    text += comment(std::to_string(k + 1) + " " + fit::comment(scene.bodies[k].name) + " on " +
                         (lower == 0 ? "the inertial frame" : std::to_string(lower)) + ": " + scene.bodies[k].joint.kind,
                     "  ");
   }
@@ -68,8 +62,9 @@ std::vector<std::string> not_free(const scene::Scene& scene, Coordinate::Motion 
       if (coordinate.motion != motion) continue;
       const bool is_locked = motion == Coordinate::Motion::locked;
       list.push_back(name + (coordinates.size() > 1 ? "_" + std::to_string(i + 1) : "") + no_break + "=" + no_break +
-                     (is_locked ? shortest(coordinate.value)
-                                : plain(scene.expressions[static_cast<std::size_t>(coordinate.expression)].text)));
+                     (is_locked
+                          ? shortest(coordinate.value)
+                          : fit::comment(scene.expressions[static_cast<std::size_t>(coordinate.expression)].text)));
     }
   };
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
@@ -155,7 +150,7 @@ std::string operations(const program::Program& program, const std::vector<progra
 std::string preamble(const Model& model, const program::Program& program, const Used& used,
                      const std::vector<program::Ledger>& costs) {
   const scene::Scene& scene = *model.scene;
-  const std::string source = model.source.empty() ? "" : " of " + plain(model.source);
+  const std::string source = model.source.empty() ? "" : " of " + fit::comment(model.source);
   return "// SPDX-License-Identifier: BSD-3-Clause\n" +
          comment(scene.name + ": equations of motion of " + std::to_string(size(scene)) + " rigid " +
                  (size(scene) == 1 ? "body" : "bodies") + ", made by kanec " + model.version +

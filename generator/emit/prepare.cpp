@@ -25,7 +25,8 @@ std::vector<Ref> fields(const program::Program& program, const std::vector<Stage
     const program::Operands from = operands(program.nodes[i]);
     for (int j = 0; j < from.count && stages[i] == Stage::state; ++j) mark(from.at[j]);
   }
-  for (const Ref output : all_outputs(program)) mark(output.node);
+  for (const program::Function& function : program.functions)
+    for (const Ref output : function.outputs) mark(output.node);
   std::vector<Ref> result;
   for (std::size_t i = 0; i < is_field.size(); ++i)
     if (is_field[i]) result.push_back({static_cast<Index>(i), false});

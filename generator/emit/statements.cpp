@@ -189,15 +189,19 @@ void Statements::line(const std::string& text) {
   for (std::string& part : wrapped("  " + text, "      ")) lines_.push_back(std::move(part));
 }
 
-std::vector<std::string> wrapped(std::string text, const std::string& indent) {
+std::vector<std::string> wrapped(const std::string& text, const std::string& indent) {
   std::vector<std::string> lines;
-  while (text.size() > width) {
-    const std::size_t blank = text.rfind(' ', width);
-    if (blank == std::string::npos || text.find_first_not_of(" /") > blank) break;
-    lines.push_back(text.substr(0, blank));
-    text = indent + text.substr(blank + 1);
+  std::string before;  // the indent from the second line on
+  std::size_t from = 0;
+  while (before.size() + text.size() - from > width) {
+    const std::string start = before + text.substr(from, width + 1 - before.size());
+    const std::size_t blank = start.rfind(' ');
+    if (blank == std::string::npos || start.find_first_not_of(" /") > blank) break;
+    lines.push_back(start.substr(0, blank));
+    from += blank + 1 - before.size();
+    before = indent;
   }
-  lines.push_back(text);
+  lines.push_back(before + text.substr(from));
   for (std::string& line : lines) std::replace(line.begin(), line.end(), no_break, ' ');
   return lines;
 }

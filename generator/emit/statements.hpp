@@ -27,7 +27,7 @@ std::string literal(double value);
 // A line broken at blanks to the width of the emitted code; further lines begin with `indent`. Blanks that hold
 // together what stands on either side are written `no_break` and become blanks.
 inline constexpr char no_break = '\v';
-std::vector<std::string> wrapped(std::string text, const std::string& indent);
+std::vector<std::string> wrapped(const std::string& text, const std::string& indent);
 
 // Prints one function's nodes of one stage. Names given once stay; a node that is used more than once and has none gets
 // a numbered temporary.

@@ -5,6 +5,7 @@
 
 #include "generator/symbolic/factor.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -19,6 +20,7 @@ class Tables {
       : equations_(equations), latex_(style == Style::latex), style_(style), n_(equations.mechanism.size()) {
     // positions and velocities in full: names of earlier rows and of q + s written out
     for (const symbolic::Quantity& quantity : equations.quantities) {
+      values_.emplace(quantity.symbol, quantity.value);
       const std::string& name = equations.table.of(quantity.symbol).name;
       if (name == "d") joint_offsets_[quantity.symbol] = quantity.value;
       if (name == "P" || name == "Pdot") chain_[quantity.symbol] = quantity.value.subs(chain_, no_pattern);
@@ -223,8 +225,7 @@ class Tables {
     }
     if (!used.insert(e).second) return;
     collect(equations_.table.of(e).transpose, used);
-    for (const symbolic::Quantity& quantity : equations_.quantities)
-      if (quantity.symbol.is_equal(e)) collect(quantity.value, used);
+    if (const auto known = values_.find(e); known != values_.end()) collect(known->second, used);
   }
 
   const std::string& suffix(int j) const { return equations_.mechanism.link(j).suffix; }
@@ -235,7 +236,7 @@ class Tables {
   bool latex_;
   Style style_;
   int n_;
-  GiNaC::exmap chain_, joint_offsets_;
+  GiNaC::exmap values_, chain_, joint_offsets_;  // by letter
 };
 
 }  // namespace
@@ -288,13 +289,11 @@ std::string broken(const std::string& side) {
 }  // namespace
 
 std::string latex_document(const symbolic::Equations& equations) {
-  std::string name;
-  for (const char c : equations.scene.name) name += c == '_' ? "\\_" : std::string(1, c);
   std::string text =
       "\\documentclass{article}\n\\usepackage{amsmath}\n\\usepackage[landscape,margin=15mm]{geometry}\n"
       "\\allowdisplaybreaks\n\\begin{document}\n\\section*{" +
-      name + ": " + std::to_string(size(equations.scene)) + (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" +
-      joints(equations.scene) +
+      fit::latex(equations.scene.name) + ": " + std::to_string(size(equations.scene)) +
+      (size(equations.scene) == 1 ? " body" : " bodies") + "}\n" + joints(equations.scene) +
       "\n$\\tilde a b = a \\times b$; $R_K$ takes inertial components to those in body "
       "$K$.\n";
   for (const Table& table : tables(equations, Style::latex)) {

@@ -21,7 +21,7 @@ std::set<program::Index> entries_read(const program::Program& program, const std
 }  // namespace
 
 Used used(const scene::Scene& scene, const program::Program& program) {
-  const std::vector<bool> alive = reachable(program, all_outputs(program));
+  const std::vector<bool> alive = reachable(program);
   Used result;
   const bool by_inputs = std::any_of(program.functions.begin(), program.functions.end(),
                                      [](const program::Function& f) { return f.signature.by_inputs; });

@@ -8,7 +8,7 @@ namespace kanec::program {
 namespace {
 
 // Appends the nodes and functions of another program.
-void append(Program& program, const Program& other) {
+void append(Program& program, Program other) {
   const auto first = static_cast<Index>(program.nodes.size());
   const auto moved = [first](Ref ref) { return Ref{ref.node + first, ref.negative}; };
   Builder builder;
@@ -18,7 +18,7 @@ void append(Program& program, const Program& other) {
     same_again(builder, node, {moved({from.at[0], false}), moved({from.at[1], false}), moved({from.at[2], false})});
   }
   program.nodes = std::move(builder.nodes());
-  for (Function function : other.functions) {
+  for (Function& function : other.functions) {
     std::transform(function.outputs.begin(), function.outputs.end(), function.outputs.begin(), moved);
     for (Quantity& quantity : function.quantities)
       std::transform(quantity.entries.begin(), quantity.entries.end(), quantity.entries.begin(), moved);
@@ -28,11 +28,11 @@ void append(Program& program, const Program& other) {
 
 }  // namespace
 
-Program by_function(const Program& program, const std::function<Program(const Program&)>& pass) {
-  Program result{program.names, {}, {}};
-  for (const Function& function : program.functions)
-    append(result, pass(drop_dead({program.names, program.nodes, {function}})));
-  return share(result);
+Program by_function(Program program, const std::function<Program(Program)>& pass) {
+  Program result;
+  for (Function& function : program.functions) append(result, pass(alone(program, std::move(function))));
+  result.names = std::move(program.names);
+  return share(std::move(result));
 }
 
 }  // namespace kanec::program

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "generator/program/fold.hpp"
 #include "generator/program/passes.hpp"
 #include "generator/program/sums.hpp"
@@ -17,17 +22,17 @@ struct Multiple {
 
 class Collection {
  public:
-  explicit Collection(const Program& program) : program_(program), sums_(program) {
+  explicit Collection(Program program) : program_(std::move(program)), sums_(program_) {
     std::vector<Index> unchanged;
     for (const auto& [sum, terms] : sums_.sums)
       if (!collects(terms)) unchanged.push_back(sum);
-    for (const Index sum : unchanged) sums_.leave(program, sum);
+    for (const Index sum : unchanged) sums_.leave(program_, sum);
   }
 
   Program result() {
     Index now = 0;
     std::vector<Ref> to;
-    return rebuilt(program_, [&](Builder& builder, const Node& node, const Refs& operands) {
+    rebuild(program_, [&](Builder& builder, const Node& node, const Refs& operands) {
       const Index index = now++;
       const auto sum = sums_.sums.find(index);
       const bool whole = sum != sums_.sums.end();
@@ -36,6 +41,7 @@ class Collection {
                                             : same_again(builder, node, operands));
       return to.back();
     });
+    return std::move(program_);
   }
 
  private:
@@ -68,42 +74,49 @@ class Collection {
     return false;
   }
 
+  // Of terms of one base, two at least.
+  static bool saves(const std::vector<Multiple>& multiples, const std::vector<std::size_t>& alike) {
+    return multiples[alike[0]].base < 0 ||
+           std::any_of(alike.begin(), alike.end(), [&](std::size_t i) { return multiples[i].is_product; });
+  }
+
+  static Ref in_one(Builder& builder, const std::vector<Multiple>& multiples, const std::vector<std::size_t>& alike,
+                    const std::vector<Ref>& to) {
+    Number sum = multiples[alike[0]].factor;
+    for (std::size_t i = 1; i < alike.size(); ++i) sum = sum + multiples[alike[i]].factor;
+    const Index base = multiples[alike[0]].base;
+    const Ref factor = fold::literal(builder, sum);
+    return base < 0 ? factor : fold::product(builder, factor, to[at(base)]);
+  }
+
   // Terms of one base in the place of the first of them.
   Ref made(Builder& builder, const Terms& terms, const std::vector<Ref>& to) const {
     const auto node = [&](Ref term) { return term.negative ? -to[at(term.node)] : to[at(term.node)]; };
-    std::vector<bool> done(terms.size(), false);
+    std::vector<Multiple> multiples;
+    std::map<Index, std::vector<std::size_t>> of_base;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      multiples.push_back(multiple(terms[i]));
+      of_base[multiples.back().base].push_back(i);
+    }
     Ref result;
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      if (done[i]) continue;
-      Multiple all = multiple(terms[i]);
-      bool saves = all.base < 0;
-      std::vector<std::size_t> others;
-      for (std::size_t j = i + 1; j < terms.size(); ++j) {
-        const Multiple other = multiple(terms[j]);
-        if (done[j] || other.base != all.base) continue;
-        others.push_back(j);
-        all.factor = all.factor + other.factor;
-        saves = saves || all.is_product || other.is_product;
-      }
-      Ref term = node(terms[i]);
-      if (saves && !others.empty()) {
-        for (const std::size_t j : others) done[j] = true;
-        const Ref factor = fold::literal(builder, all.factor);
-        term = all.base < 0 ? factor : fold::product(builder, factor, to[at(all.base)]);
-      }
+      const std::vector<std::size_t>& alike = of_base.at(multiples[i].base);
+      const bool collected = alike.size() > 1 && saves(multiples, alike);
+      if (collected && alike[0] != i) continue;
+      const Ref term = collected ? in_one(builder, multiples, alike, to) : node(terms[i]);
       result = i == 0 ? term : fold::sum(builder, result, term);
     }
     return result;
   }
 
-  const Program& program_;
+  Program program_;
   Sums sums_;
 };
 
 }  // namespace
 
-Program collect(const Program& program) {
-  return by_function(program, [](const Program& alone) { return Collection(alone).result(); });
+Program collect(Program program) {
+  return by_function(std::move(program), [](Program alone) { return Collection(std::move(alone)).result(); });
 }
 
 }  // namespace kanec::program

@@ -2,6 +2,7 @@
 #include "generator/program/combined.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -22,8 +23,6 @@ std::vector<Ref> dense(const Function& function, Ref zero) {
   return result;
 }
 
-bool is_same(const Quantity& a, const Quantity& b) { return a.labels == b.labels && a.entries == b.entries; }
-
 // Quantities of several functions in one order that keeps each one's.
 class Merged {
  public:
@@ -31,19 +30,32 @@ class Merged {
     for (const Quantity& quantity : list) labels_.insert(quantity.labels.begin(), quantity.labels.end());
   }
 
+  // Behind the first `after` of the list.
   void add(const std::vector<Quantity>& more, const std::string& suffix, std::size_t after = 0) {
+    std::map<Key, std::size_t> known;  // up to it, so many stand in the list; of what is new 0
+    for (std::size_t i = 0; i < list_.size(); ++i) known.emplace(key_of(list_[i]), i + 1);
+    std::vector<Quantity> before = std::exchange(list_, {});
+    std::size_t taken = 0;
+    const auto take = [&](std::size_t end) {
+      for (; taken < end; ++taken) list_.push_back(std::move(before[taken]));
+    };
+    take(after);
     for (const Quantity& quantity : more) {
-      const auto is_known = [&](const Quantity& other) { return is_same(other, quantity); };
-      const auto known = std::find_if(list_.begin(), list_.end(), is_known);
-      if (known != list_.end()) {
-        after = std::max(after, static_cast<std::size_t>(known - list_.begin()) + 1);
+      const auto found = known.find(key_of(quantity));
+      if (found != known.end()) {
+        take(found->second);
         continue;
       }
-      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(after++), unique(quantity, suffix));
+      list_.push_back(unique(quantity, suffix));
+      known[key_of(list_.back())] = 0;
     }
+    take(before.size());
   }
 
  private:
+  using Key = std::pair<std::vector<Ref>, std::vector<std::string>>;
+  static Key key_of(const Quantity& quantity) { return {quantity.entries, quantity.labels}; }
+
   Quantity unique(Quantity quantity, const std::string& suffix) {
     for (std::string& label : quantity.labels)
       while (!labels_.insert(label).second) label += "_" + suffix;

@@ -6,6 +6,7 @@
 
 #include "generator/program/fusible.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/program/passes.hpp"
 
 namespace kanec::program {
 namespace {
@@ -23,10 +24,10 @@ int latency(const Node& node) {
 }  // namespace
 
 int critical_path(const Program& program, const Function& function) {
-  const Program alone{program.names, program.nodes, {function}};
+  const Program alone = program::alone(program, function);
   const std::vector<Stage> stage = stages(alone);
   const std::vector<bool> fusible = fusible_products(alone, stage);
-  const std::vector<bool> alive = reachable(alone, function.outputs);
+  const std::vector<bool> alive = reachable(alone);
   std::vector<int> begun(alone.nodes.size(), 0), done(alone.nodes.size(), 0);
   int longest = 0;
   for (std::size_t i = 0; i < alone.nodes.size(); ++i) {

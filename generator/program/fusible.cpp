@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/program/fusible.hpp"
 
+#include "generator/program/passes.hpp"
+
 namespace kanec::program {
 namespace {
 
@@ -9,9 +11,10 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 std::vector<bool> fusible_products(const Program& program, const std::vector<Stage>& stages) {
-  const std::vector<bool> alive = reachable(program, all_outputs(program));
+  const std::vector<bool> alive = reachable(program);
   std::vector<int> uses(program.nodes.size(), 0);
-  for (const Ref output : all_outputs(program)) uses[at(output.node)] += 2;
+  for (const Function& function : program.functions)
+    for (const Ref output : function.outputs) uses[at(output.node)] += 2;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     if (!alive[i]) continue;
     const Operands from = operands(program.nodes[i]);
@@ -24,8 +27,8 @@ std::vector<bool> fusible_products(const Program& program, const std::vector<Sta
 }
 
 int multiply_adds(const Program& program, const Function& function) {
-  const Program alone{program.names, program.nodes, {function}};
-  const std::vector<bool> alive = reachable(alone, function.outputs);
+  const Program alone = program::alone(program, function);
+  const std::vector<bool> alive = reachable(alone);
   const std::vector<bool> fusible = fusible_products(alone, stages(alone));
   int count = 0;
   for (std::size_t i = 0; i < alone.nodes.size(); ++i) {

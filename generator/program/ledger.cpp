@@ -14,8 +14,7 @@ void count(const Node& node, Ledger& ledger) {
                       std::holds_alternative<Select>(node);
 }
 
-Ledger counted(const Program& program, const std::vector<Stage>& stage, const std::vector<Ref>& roots, Stage wanted) {
-  const std::vector<bool> alive = reachable(program, roots);
+Ledger counted(const Program& program, const std::vector<Stage>& stage, const std::vector<bool>& alive, Stage wanted) {
   Ledger result;
   for (std::size_t i = 0; i < program.nodes.size(); ++i)
     if (alive[i] && stage[i] == wanted) count(program.nodes[i], result);
@@ -25,19 +24,19 @@ Ledger counted(const Program& program, const std::vector<Stage>& stage, const st
 }  // namespace
 
 Ledger ledger(const Program& program, const Function& function) {
-  return counted(program, stages(program), function.outputs, Stage::state);
+  return counted(program, stages(program), reachable(program, function.outputs), Stage::state);
 }
 
 std::vector<Ledger> ledgers(const Program& program) {
   const std::vector<Stage> stage = stages(program);
   std::vector<Ledger> result;
   for (const Function& function : program.functions)
-    result.push_back(counted(program, stage, function.outputs, Stage::state));
+    result.push_back(counted(program, stage, reachable(program, function.outputs), Stage::state));
   return result;
 }
 
 Ledger prepare_ledger(const Program& program) {
-  return counted(program, stages(program), all_outputs(program), Stage::parameter);
+  return counted(program, stages(program), reachable(program), Stage::parameter);
 }
 
 long weighted_cost(const Ledger& ledger) {

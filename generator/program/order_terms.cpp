@@ -11,7 +11,7 @@ namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
-Program ordered(const Program& program) {
+Program ordered(Program program) {
   const std::vector<Stage> stage = stages(program);
   const std::vector<bool> fusible = fusible_products(program, stage);
   Sums sums(program, TermOrder::as_written);
@@ -20,7 +20,7 @@ Program ordered(const Program& program) {
       std::stable_partition(terms.begin(), terms.end(), [&](Ref term) { return !fusible[at(term.node)]; });
   Index now = 0;
   std::vector<Ref> to;
-  return rebuilt(program, [&](Builder& builder, const Node& node, const Refs& operands) {
+  rebuild(program, [&](Builder& builder, const Node& node, const Refs& operands) {
     const Index index = now++;
     const auto sum = sums.sums.find(index);
     const bool stays = sum == sums.sums.end() || stage[at(index)] != Stage::state;
@@ -34,10 +34,11 @@ Program ordered(const Program& program) {
     to.push_back(result);
     return result;
   });
+  return program;
 }
 
 }  // namespace
 
-Program order_terms(const Program& program) { return drop_dead(by_function(program, ordered)); }
+Program order_terms(Program program) { return drop_dead(by_function(std::move(program), ordered)); }
 
 }  // namespace kanec::program

@@ -12,39 +12,43 @@
 namespace kanec::program {
 
 // Constants folded exactly, zeros and ones eliminated, signs taken out of products, x - x = 0.
-Program simplify(const Program& program);
+Program simplify(Program program);
 
 // Constants of a sum in one, and multiples of one value: 0.3 a + b + 0.1 + 0.2 a + c + 0.4 = 0.5 a + b + 0.5 + c. What costs
 // as much either way stays.
-Program collect(const Program& program);
+Program collect(Program program);
 
 // Each operation once: hash-consing modulo commutation and the sign of differences.
-Program share(const Program& program);
+Program share(Program program);
 
 // Partial sums that several sums of a function have in common, taken out once. Re-associates sums of three and more terms.
-Program share_sums(const Program& program);
+Program share_sums(Program program);
 
 // Terms of a sum in an order in which most products are fused with additions: products that nothing else needs last.
 // a b + c d + e takes three instructions, e + a b + c d two.
-Program order_terms(const Program& program);
+Program order_terms(Program program);
 
 // Operations that no output needs are dropped, and quantities of which nothing is left.
-Program drop_dead(const Program& program);
+Program drop_dead(Program program);
+
+// One of its functions with what that needs, and nothing else.
+Program alone(const Program& program, Function function);
 
 // All of them, in order; checks the program between them in debug builds.
 Program optimized(Program program);
 
-// A program made anew node by node. `remake` gets the builder, the node, and its operands as they now are.
+// Makes a program anew node by node. `remake` gets the builder, the node, and its operands as they now are; the nodes
+// stay what they were until all are made.
 using Refs = std::array<Ref, 3>;
 using Remake = std::function<Ref(Builder&, const Node&, const Refs&)>;
-Program rebuilt(const Program& program, const Remake& remake);
+void rebuild(Program& program, const Remake& remake);
 
 // The functions of two programs over the same arguments in one.
-Program joined(Program first, const Program& second);
+Program joined(Program first, Program second);
 
 // A pass over each function alone: what functions have in common is no saving to any of them, and so each has the same
 // code whatever others the program holds.
-Program by_function(const Program& program, const std::function<Program(const Program&)>& pass);
+Program by_function(Program program, const std::function<Program(Program)>& pass);
 
 // The node itself on new operands.
 Ref same_again(Builder& builder, const Node& node, const Refs& operands);

@@ -2,6 +2,7 @@
 #include "generator/program/program.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/base/error.hpp"
 
@@ -26,6 +27,15 @@ Stage own_stage(const Node& node) {
   const auto* variable = std::get_if<Variable>(&node);
   if (variable == nullptr) return Stage::constant;
   return variable->group == Group::parameter ? Stage::parameter : Stage::state;
+}
+
+std::vector<bool> with_operands(const Program& program, std::vector<bool> nodes) {
+  for (std::size_t i = program.nodes.size(); i-- > 0;) {
+    if (!nodes[i]) continue;
+    const Operands from = operands(program.nodes[i]);
+    for (int j = 0; j < from.count; ++j) nodes[at(from.at[j])] = true;
+  }
+  return nodes;
 }
 
 }  // namespace
@@ -74,19 +84,14 @@ std::vector<Stage> stages(const Program& program) {
 std::vector<bool> reachable(const Program& program, const std::vector<Ref>& roots) {
   std::vector<bool> result(program.nodes.size(), false);
   for (const Ref root : roots) result[at(root.node)] = true;
-  for (std::size_t i = program.nodes.size(); i-- > 0;) {
-    if (!result[i]) continue;
-    const Operands from = operands(program.nodes[i]);
-    for (int j = 0; j < from.count; ++j) result[at(from.at[j])] = true;
-  }
-  return result;
+  return with_operands(program, std::move(result));
 }
 
-std::vector<Ref> all_outputs(const Program& program) {
-  std::vector<Ref> result;
+std::vector<bool> reachable(const Program& program) {
+  std::vector<bool> result(program.nodes.size(), false);
   for (const Function& function : program.functions)
-    result.insert(result.end(), function.outputs.begin(), function.outputs.end());
-  return result;
+    for (const Ref output : function.outputs) result[at(output.node)] = true;
+  return with_operands(program, std::move(result));
 }
 
 void check(const Program& program) {

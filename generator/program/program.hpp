@@ -133,11 +133,9 @@ Operands operands(const Node& node);
 // An addition or a subtraction.
 bool is_sum(const Node& node);
 
-// Nodes that the roots depend on, themselves included.
+// Nodes that the roots depend on, themselves included; that the outputs of any function do.
 std::vector<bool> reachable(const Program& program, const std::vector<Ref>& roots);
-
-// All outputs of all functions.
-std::vector<Ref> all_outputs(const Program& program);
+std::vector<bool> reachable(const Program& program);
 
 // "tan", as code writes it.
 const char* name(Unary function);

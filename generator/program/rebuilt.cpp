@@ -60,17 +60,16 @@ void move_all(const std::vector<Ref>& to, Function& function) {
 
 }  // namespace
 
-Program rebuilt(const Program& program, const Remake& remake) {
+void rebuild(Program& program, const Remake& remake) {
   Builder builder;
   const std::vector<Ref> to = remade(builder, program, remake);
-  Program result{program.names, std::move(builder.nodes()), program.functions};
-  for (Function& function : result.functions) move_all(to, function);
-  return result;
+  program.nodes = std::move(builder.nodes());
+  for (Function& function : program.functions) move_all(to, function);
 }
 
-Program joined(Program first, const Program& second) {
+Program joined(Program first, Program second) {
   const std::vector<Ref> to = appended(first, [&](Builder& builder) { return remade(builder, second, same_again); });
-  for (Function function : second.functions) {
+  for (Function& function : second.functions) {
     move_all(to, function);
     first.functions.push_back(std::move(function));
   }

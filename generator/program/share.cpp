@@ -4,8 +4,8 @@
 #include <array>
 #include <bit>
 #include <functional>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "generator/program/passes.hpp"
 
@@ -54,19 +54,40 @@ Key key_of(const Node& node) {
   return key;
 }
 
+// Operations that are there, found by their keys: places in a table at least twice as long, each in the first that was
+// free from where its key points.
+class Known {
+ public:
+  explicit Known(std::size_t size) : places_(std::bit_ceil(2 * size + 2), -1) {}
+
+  // The place of such a node, which has -1 where there is none.
+  Index& at(const std::vector<Node>& nodes, const Key& key) {
+    std::size_t i = Hash{}(key);
+    for (;; ++i) {
+      Index& place = places_[i & (places_.size() - 1)];
+      if (place < 0 || key_of(nodes[static_cast<std::size_t>(place)]) == key) return place;
+    }
+  }
+
+ private:
+  std::vector<Index> places_;
+};
+
 class Sharing {
  public:
-  explicit Sharing(std::size_t size) { known_.reserve(size); }
+  explicit Sharing(std::size_t size) : known_(size) {}
 
   Ref operator()(Builder& builder, const Node& node, const Refs& operands) {
     const Ref made = same_again(builder, node, operands);
     const Node& now = builder.nodes().back();
     if (const auto* difference = std::get_if<Subtract>(&now)) {
-      const auto reversed = known_.find(key_of(Subtract{difference->b, difference->a}));
-      if (reversed != known_.end()) return drop(builder, -Ref{reversed->second, made.negative});
+      const Index reversed = known_.at(builder.nodes(), key_of(Subtract{difference->b, difference->a}));
+      if (reversed >= 0) return drop(builder, -Ref{reversed, made.negative});
     }
-    const auto [entry, is_new] = known_.emplace(key_of(now), made.node);
-    return is_new ? made : drop(builder, {entry->second, made.negative});
+    Index& known = known_.at(builder.nodes(), key_of(now));
+    if (known >= 0) return drop(builder, {known, made.negative});
+    known = made.node;
+    return made;
   }
 
  private:
@@ -74,14 +95,15 @@ class Sharing {
     builder.nodes().pop_back();
     return instead;
   }
-  std::unordered_map<Key, Index, Hash> known_;
+  Known known_;
 };
 
 }  // namespace
 
-Program share(const Program& program) {
+Program share(Program program) {
   Sharing sharing(program.nodes.size());
-  return rebuilt(program, std::ref(sharing));
+  rebuild(program, std::ref(sharing));
+  return program;
 }
 
 }  // namespace kanec::program

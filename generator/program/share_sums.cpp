@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -20,9 +21,9 @@ struct Pair {
 
 class SumSharing {
  public:
-  explicit SumSharing(const Program& program)
-      : program_(program), first_pair_(static_cast<Index>(program.nodes.size())) {
-    Sums sums(program, TermOrder::as_written);
+  explicit SumSharing(Program program)
+      : program_(std::move(program)), first_pair_(static_cast<Index>(program_.nodes.size())) {
+    Sums sums(program_, TermOrder::as_written);
     inner_ = std::move(sums.inner);
     sums_ = std::move(sums.sums);
     while (take_out_a_round()) {
@@ -33,7 +34,7 @@ class SumSharing {
     Index now = 0;
     std::map<Index, Ref> pair_nodes;
     std::vector<Ref> to;
-    return rebuilt(program_, [&](Builder& builder, const Node& node, const Refs& operands) {
+    rebuild(program_, [&](Builder& builder, const Node& node, const Refs& operands) {
       const Index index = now++;
       const auto sum = sums_.find(index);
       const bool plain = sum == sums_.end();
@@ -41,6 +42,7 @@ class SumSharing {
                          : chain(builder, sum->second, to, pair_nodes));
       return to.back();
     });
+    return std::move(program_);
   }
 
  private:
@@ -49,13 +51,30 @@ class SumSharing {
     return {a.node, b.node, a.negative != b.negative};
   }
 
+  // Of each node and pair: a term of two and more sums.
+  std::vector<bool> terms_of_several() const {
+    std::vector<bool> result(at(first_pair_) + pairs_.size());
+    std::vector<Index> first(result.size(), -1);  // sum that has the term
+    for (const auto& [index, terms] : sums_)
+      for (const Ref term : terms) {
+        Index& known = first[at(term.node)];
+        if (known < 0) known = index;
+        result[at(term.node)] = result[at(term.node)] || known != index;
+      }
+    return result;
+  }
+
   // Takes out the pairs found in two and more sums, the most frequent first. False when there was none.
   bool take_out_a_round() {
     std::vector<std::pair<Pair, Index>> found;
-    for (const auto& [index, terms] : sums_)
+    const std::vector<bool> common = terms_of_several();
+    for (const auto& [index, all] : sums_) {
+      Terms terms;  // those that another sum has as well: a sum over all bodies has thousands, and few of these
+      std::copy_if(all.begin(), all.end(), std::back_inserter(terms), [&](Ref term) { return common[at(term.node)]; });
       for (std::size_t i = 0; i < terms.size(); ++i)
         for (std::size_t j = i + 1; j < terms.size(); ++j)
           if (terms[i].node != terms[j].node) found.emplace_back(pair_of(terms[i], terms[j]), index);
+    }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::pair<Pair, std::vector<Index>>> frequent;
@@ -93,10 +112,13 @@ class SumSharing {
 
   // Where the two terms of the pair stand with the right signs, (-1, -1) where they do not.
   static std::pair<Index, Index> places(const Terms& terms, const Pair& pair) {
+    std::vector<std::size_t> found;
     for (std::size_t i = 0; i < terms.size(); ++i)
-      for (std::size_t j = i + 1; j < terms.size(); ++j)
-        if (terms[i].node != terms[j].node && pair_of(terms[i], terms[j]) == pair)
-          return {static_cast<Index>(i), static_cast<Index>(j)};
+      if (terms[i].node == pair.a || terms[i].node == pair.b) found.push_back(i);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (std::size_t j = i + 1; j < found.size(); ++j)
+        if (pair_of(terms[found[i]], terms[found[j]]) == pair)
+          return {static_cast<Index>(found[i]), static_cast<Index>(found[j])};
     return {-1, -1};
   }
 
@@ -123,7 +145,7 @@ class SumSharing {
     return result;
   }
 
-  const Program& program_;
+  Program program_;
   Index first_pair_;
   std::vector<bool> inner_;
   std::map<Index, Terms> sums_;
@@ -132,8 +154,8 @@ class SumSharing {
 
 }  // namespace
 
-Program share_sums(const Program& program) {
-  return by_function(program, [](const Program& alone) { return SumSharing(alone).result(); });
+Program share_sums(Program program) {
+  return by_function(std::move(program), [](Program alone) { return SumSharing(std::move(alone)).result(); });
 }
 
 }  // namespace kanec::program

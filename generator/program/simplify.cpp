@@ -4,6 +4,9 @@
 
 namespace kanec::program {
 
-Program simplify(const Program& program) { return rebuilt(program, fold::again); }
+Program simplify(Program program) {
+  rebuild(program, fold::again);
+  return program;
+}
 
 }  // namespace kanec::program

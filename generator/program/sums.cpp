@@ -20,10 +20,11 @@ std::vector<bool> partial_sums(const Program& program) {
       if (is_sum(program.nodes[user]) && stage[user] == stage[operand]) used_in_sum[operand] = true;
     }
   }
-  for (const Ref ref : all_outputs(program)) uses[at(ref.node)] += 2;
-  for (const Function& function : program.functions)
+  for (const Function& function : program.functions) {
+    for (const Ref output : function.outputs) uses[at(output.node)] += 2;
     for (const Quantity& quantity : function.quantities)
       for (const Ref ref : quantity.entries) uses[at(ref.node)] += 2;
+  }
   std::vector<bool> inner(program.nodes.size());
   for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = is_sum(program.nodes[i]) && uses[i] == 1 && used_in_sum[i];
   return inner;

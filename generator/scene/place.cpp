@@ -2,6 +2,7 @@
 #include "generator/scene/place.hpp"
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::scene {
@@ -18,18 +19,6 @@ std::string_view beginning(std::string_view text) {
   return text.substr(0, end);
 }
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code >= 0x20 && code != 0x7f)
-      out += c;
-    else
-      out += std::string("\\x") + "0123456789abcdef"[code >> 4] + "0123456789abcdef"[code & 15];
-  }
-  return out;
-}
-
 }  // namespace
 
 void fail(const Place& place, const std::string& found, const std::string& allowed) {
@@ -42,8 +31,8 @@ std::string remark(const Place& place, const std::string& text) {
 }
 
 std::string in_quotes(std::string_view text) {
-  if (text.size() <= shown_bytes) return '"' + escaped(text) + '"';
-  return '"' + escaped(beginning(text)) + "\"… (" + std::to_string(text.size()) + " bytes)";
+  if (text.size() <= shown_bytes) return '"' + fit::line(text) + '"';
+  return '"' + fit::line(beginning(text)) + "\"… (" + std::to_string(text.size()) + " bytes)";
 }
 
 std::string one_of(const std::vector<std::string>& known, std::string_view found) {

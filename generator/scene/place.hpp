@@ -22,7 +22,7 @@ struct Place {
 // A note or warning: "file:line: body: field: text".
 std::string remark(const Place& place, const std::string& text);
 
-// In double quotes, control characters as \xNN, cut after 40 bytes.
+// In double quotes, on one line, cut after 40 bytes.
 std::string in_quotes(std::string_view text);
 
 // "a, b, c"; where one of them is near to `found`: "a, b, c (did you mean b?)". Empty text is near to none.

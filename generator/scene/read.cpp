@@ -7,8 +7,8 @@
 #include "generator/scene/check.hpp"
 #include "generator/scene/connection.hpp"
 #include "generator/scene/expression_names.hpp"
-#include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
+#include "generator/scene/parse_toml.hpp"
 #include "generator/scene/read_ensemble.hpp"
 #include "generator/scene/read_event.hpp"
 #include "generator/scene/read_functions.hpp"
@@ -23,16 +23,6 @@
 
 namespace kanec::scene {
 namespace {
-
-toml::table parse_toml(std::string_view text, const std::string& file) {
-  check_key_depth(text, file);
-  try {
-    return toml::parse(text, std::string_view(file));
-  } catch (const toml::parse_error& error) {
-    const auto line = static_cast<int>(error.source().begin.line);
-    fail({file, line}, std::string(error.description()), "TOML 1.0 (https://toml.io)");
-  }
-}
 
 std::vector<int> read_connection(const Table& root) {
   const Node node = root.at("connection", "the lower-numbered body array, as [0, 1, 2, 2, 1, 5]");

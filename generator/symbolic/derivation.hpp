@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ class Rates {
   void set(const GiNaC::ex& atom, const GiNaC::ex& rate);
   GiNaC::ex operator()(const Atom& atom) const;  // 0 for constants
   // Time derivative of an expression of letters, expanded.
-  GiNaC::ex of(const GiNaC::ex& e) const { return time_derivative(e, *this); }
+  GiNaC::ex of(const GiNaC::ex& e) const { return time_derivative(e, std::cref(*this)); }
 
  private:
   std::vector<GiNaC::ex> rates_;  // by table index

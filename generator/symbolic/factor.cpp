@@ -2,6 +2,7 @@
 #include "generator/symbolic/factor.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "generator/symbolic/order.hpp"
 
@@ -30,16 +31,20 @@ struct Common {
 // The factor at an end of most terms; at equal counts the right end, then the fixed order of letters.
 Common most_common(const std::vector<Term>& terms) {
   Common best;
-  for (const End end : {End::right, End::left})
+  for (const End end : {End::right, End::left}) {
+    std::map<ex, std::size_t, GiNaC::ex_is_less> counts[2];  // of terms that have more, that have no other factor
+    for (const Term& term : terms)
+      if (!term.factors.empty()) ++counts[term.factors.size() == 1][outer(term, end)];
     for (const Term& candidate : terms) {
       if (candidate.factors.empty()) continue;
       Common common{outer(candidate, end), end, candidate.factors.size() == 1};
-      common.count = static_cast<std::size_t>(
-          std::count_if(terms.begin(), terms.end(), [&](const Term& term) { return common.is_of(term); }));
+      common.count = counts[common.alone].at(common.factor);
+      if (common.count < best.count) continue;
       const bool tie =
           common.count == best.count && common.count > 1 && end == best.end && precedes(common.factor, best.factor);
       if (common.count > best.count || tie) best = common;
     }
+  }
   return best;
 }
 

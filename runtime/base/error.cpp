@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "runtime/base/fit.hpp"
+
 namespace kanec {
 namespace {
 
@@ -24,12 +26,18 @@ std::string message(const SceneFault& fault) {
 
 }  // namespace
 
+Error::Error(const std::string& message, Lines lines)
+    : std::runtime_error(lines == Lines::one ? fit::line(message) : fit::lines(message)) {}
+
 SceneError::SceneError(SceneFault fault) : Error(message(fault)), fault_(std::move(fault)) {}
 
-FileError::FileError(const std::string& path, const std::string& cause) : Error(path + ": " + cause) {}
+FileError::FileError(const std::string& path, const std::string& cause, const std::string& output)
+    : Error(fit::line(path + ": " + cause) + (output.empty() ? "" : "\n" + output), Lines::several) {}
 
 BuildError::BuildError(const std::string& what, std::string command, std::string output)
-    : Error(what + (command.empty() ? "" : "\n  command: " + command) + (output.empty() ? "" : "\n" + output)),
+    : Error(fit::line(what) + (command.empty() ? "" : "\n  command: " + fit::line(command)) +
+                (output.empty() ? "" : "\n" + output),
+            Lines::several),
       command_(std::move(command)),
       output_(std::move(output)) {}
 

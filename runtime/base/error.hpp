@@ -1,5 +1,5 @@
 // The errors of kanec: one base class, one class a cause. Not here: how they are shown (runtime/cli).
-// Everything, also std-only stages, may include this.
+// Everything, also std-only stages, may include this. Messages may hold what strangers chose: they are made fit here.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -8,10 +8,12 @@
 
 namespace kanec {
 
-// Base of all errors; what() is the whole message for a person.
+// Base of all errors; what() is the whole message for a person, fit for a terminal and valid UTF-8: one line but where
+// another program's words stand in it.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  enum class Lines { one, several };
+  explicit Error(const std::string& message, Lines lines = Lines::one);
 };
 
 // Where in a scene something is wrong, and what would be right. Empty or zero parts are left out of the message.
@@ -40,13 +42,13 @@ class InputError : public Error {
   using Error::Error;
 };
 
-// A file that cannot be read or written; the message names path and cause.
+// A file that cannot be read or written; the message names path and cause, and what another program said about it.
 class FileError : public Error {
  public:
-  FileError(const std::string& path, const std::string& cause);
+  FileError(const std::string& path, const std::string& cause, const std::string& output = "");
 };
 
-// No compiler, or one that fails; carries its command line and its output.
+// No compiler, or one that fails; carries its command line, as it is typed into a shell, and its output.
 class BuildError : public Error {
  public:
   BuildError(const std::string& what, std::string command, std::string output);

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -18,9 +19,21 @@
 namespace kanec {
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& path) {
+namespace {
+
+[[noreturn]] void refuse_size(const fs::path& path, std::size_t most) {
+  throw FileError(path.string(), "found more than " + std::to_string(most >> 20) + " MiB; allowed: at most so many");
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::size_t most) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) throw FileError(path.string(), std::strerror(errno));
+  struct stat status {};
+  if (!file || ::fstat(file.get(), &status) != 0) throw FileError(path.string(), std::strerror(errno));
+  const bool is_regular = S_ISREG(status.st_mode);
+  if (!is_regular) most = std::min(most, most_bytes);
+  if (is_regular && static_cast<std::size_t>(status.st_size) > most) refuse_size(path, most);
   std::string text;
   char block[65536];
   for (;;) {
@@ -29,6 +42,7 @@ std::string read_file(const fs::path& path) {
     if (n < 0) throw FileError(path.string(), std::strerror(errno));
     if (n == 0) return text;
     text.append(block, static_cast<std::size_t>(n));
+    if (text.size() > most) refuse_size(path, most);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -11,8 +12,13 @@
 
 namespace kanec {
 
-// The whole file. Throws FileError, also for a folder.
-std::string read_file(const std::filesystem::path& path);
+constexpr std::size_t most_bytes = std::size_t{64} << 20;      // of what a person writes
+constexpr std::size_t most_of_a_table = std::size_t{4} << 30;  // of rows that a run wrote
+constexpr std::size_t any_size = std::size_t(-1);              // of what was made here
+
+// The whole file. Throws FileError, also for a folder, and for more than `most` bytes; of devices and pipes, which may
+// have no end, for more than most_bytes in any case.
+std::string read_file(const std::filesystem::path& path, std::size_t most = most_bytes);
 
 // A file that appears under its name only by commit(): written to a temporary name beside it, flushed to disk, renamed.
 // A failure (unwritable folder, disk full) throws FileError and leaves no trace; nor does destruction without commit().

@@ -106,7 +106,7 @@ TemporaryFolder::~TemporaryFolder() {
 fs::path temporary_root() {
   std::error_code failed;
   const fs::path root = fs::temp_directory_path(failed);
-  return failed ? "/tmp" : root;
+  return failed ? "/tmp" : fs::absolute(root);
 }
 
 }  // namespace kanec

@@ -43,7 +43,8 @@ class TemporaryFolder {
   Descriptor lock_;
 };
 
-// $TMPDIR where that is a folder, else /tmp.
+// The system's folder for temporary files, absolute, so that its name is no option of a program that it is handed to;
+// /tmp where the one that is set is none.
 std::filesystem::path temporary_root();
 
 }  // namespace kanec

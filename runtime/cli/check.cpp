@@ -10,6 +10,7 @@
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
+#include "runtime/cli/numbers.hpp"
 #include "runtime/cli/progress.hpp"
 #include "runtime/cli/samples.hpp"
 #include "runtime/cli/scene_argument.hpp"
@@ -158,10 +159,10 @@ void add_check(CLI::App& app, Action& action) {
   command->add_flag("--all", options->all, "every function that the scene can have");
   command->add_option("--bound", options->bounds.ulps, "largest error allowed, in ulps (200)")
       ->option_text("ULPS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command->add_option("--generic-bound", options->bounds.generic, "largest difference from the generic path (1e-12)")
       ->option_text("NUMBER")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command->add_flag("--json", options->json, "report for machines");
   add_build(*command, options->build);
 }

@@ -30,7 +30,7 @@ ScenarioTable table_of(const EnsembleJob& job) {
                           static_cast<std::uint64_t>(wish.seed.value_or(job.scene.ensemble.seed)));
   if (wish.count || wish.seed || !wish.drawn.empty())
     throw InputError("--count, --seed, --drawn: found beside scenarios of a file; allowed: with --ensemble scene");
-  return read_scenarios(read_file(wish.from == "-" ? "/dev/stdin" : wish.from), wish.from, job.scene);
+  return read_scenarios(read_file(wish.from == "-" ? "/dev/stdin" : wish.from, most_of_a_table), wish.from, job.scene);
 }
 
 // Rows of all scenarios, in their order: the number of the scenario, then the columns of a trajectory.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/conservation.hpp"
 #include "runtime/cli/table.hpp"
@@ -78,7 +79,7 @@ std::string EnsembleSummary::text() const {
   std::string text = line("integrator", method_text(run_, lanes));
   text += line("time", fmt::format("0 to {} s", shortest(run_.duration)));
   text += line("scenarios", fmt::format("{} finished, {} stopped", finished, stopped));
-  if (stopped > 0) text += line("the first that stopped", first_stop_);
+  if (stopped > 0) text += line("the first that stopped", fit::line(first_stop_));
   text += line("steps, evaluations", fmt::format("{}, {} of xdot and ydot", steps, evaluations));
   text += line("wall time", fmt::format("{:.3g} s, {} {}", wall_seconds, threads, threads == 1 ? "thread" : "threads"));
   if (energy_error_.count() > 0 && !driven_)

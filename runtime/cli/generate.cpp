@@ -8,9 +8,11 @@
 #include <optional>
 
 #include "generator/pipeline.hpp"
+#include "generator/reach.hpp"
 #include "kanec_abi_text.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
@@ -133,7 +135,7 @@ std::string report_text(const scene::Scene& scene, const Generated& generated, c
                   counted(scene.inputs.size(), "input", "inputs"), generated.hash);
   text += ledger_text(generated.program) + "\n";
   for (const Product& product : products)
-    text += fmt::format("wrote {} ({} bytes)\n", product.path.string(), product.bytes);
+    text += fmt::format("wrote {} ({} bytes)\n", fit::line(product.path.string()), product.bytes);
   return text;
 }
 
@@ -161,11 +163,17 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
   return 0;
 }
 
+void remark_note(const std::string& note) { remark("note: " + note); }
+
 // With --taylor also all rates in one function, in front of those that are asked for or usual.
 std::vector<std::string> functions_of(const Options& options, const scene::Scene& scene) {
   std::vector<std::string> chosen = Functions(scene).chosen(options.functions);
   if (!options.taylor) return chosen;
-  if (chosen.empty()) chosen = requested_functions(scene, {});
+  if (chosen.empty()) {
+    const Reach reach = within_reach(scene, requested_functions(scene, {}), !scene.functions.empty());
+    for (const std::string& note : reach.notes) remark_note(note);
+    chosen = reach.names;
+  }
   const std::string rates = all_rates(scene);
   if (std::find(chosen.begin(), chosen.end(), rates) == chosen.end()) chosen.insert(chosen.begin(), rates);
   return chosen;
@@ -177,9 +185,8 @@ int generate_files(const Options& options) {
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated =
-      generate(scene, {functions, options.algorithm, options.optimize, emit::Model{}.longest_line, options.taylor});
-  for (const std::string& note : generated.notes) remark("note: " + note);
+  const Generated generated = generate(
+      scene, {functions, options.algorithm, options.optimize, emit::Model{}.longest_line, options.taylor, remark_note});
   write(products, options, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));

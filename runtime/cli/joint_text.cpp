@@ -10,6 +10,7 @@
 
 #include "generator/scene/joint_kind.hpp"
 #include "generator/scene/rotation.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::cli {
@@ -70,7 +71,7 @@ std::string motion(const scene::Scene& scene, const Coordinate& coordinate) {
     case Coordinate::Motion::locked:
       return toml_real(coordinate.value);
     case Coordinate::Motion::prescribed:
-      return '"' + scene.expressions[static_cast<std::size_t>(coordinate.expression)].text + '"';
+      return fit::toml(scene.expressions[static_cast<std::size_t>(coordinate.expression)].text);
   }
   return "";
 }

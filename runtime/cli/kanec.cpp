@@ -2,14 +2,21 @@
 #include "runtime/cli/kanec.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "generator/pipeline.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/base/temporary.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
@@ -32,6 +39,8 @@ constexpr auto epilogue = R"(Begin with:
   kanec simulate --help                      every command teaches by an example
 
 Exit status: 0 done; 1 a check failed; 2 refused, with one message on standard error; 3 a mistake in kanec itself.)";
+
+constexpr auto out_of_memory = "out of memory: found a task for which there is not enough; allowed: a smaller one";
 
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -104,11 +113,32 @@ int parse_and_act(int argc, char** argv) {
   return refused;
 }
 
+// Programs that kanec starts put files of their own there, and take what begins like an option for one.
+void make_temporary_folder_absolute() {
+  const char* folder = std::getenv("TMPDIR");
+  if (folder != nullptr && folder[0] != '/') ::setenv("TMPDIR", temporary_root().c_str(), 1);
+}
+
+// Where memory ends while an exception is under way, or in a destructor, nothing can be caught any more.
+[[noreturn]] void tell_and_end() {
+  const std::exception_ptr error = std::current_exception();
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    remark(out_of_memory);
+    std::_Exit(refused);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int run(int argc, char** argv) noexcept {
+  std::set_terminate(tell_and_end);
   try {
     guard_standard_streams();
+    make_temporary_folder_absolute();
     return parse_and_act(argc, argv);
   } catch (const Interrupted& interruption) {
     remark(interruption.what());
@@ -116,10 +146,20 @@ int run(int argc, char** argv) noexcept {
   } catch (const InternalError& error) {
     remark(std::string("a mistake in kanec itself: ") + error.what());
   } catch (const Error& error) {
+    remark_lines(error.what());
+    return refused;
+  } catch (const std::filesystem::filesystem_error& error) {
+    remark(error.path1().string() + ": " + error.code().message());
+    return refused;
+  } catch (const std::system_error& error) {
     remark(error.what());
     return refused;
   } catch (const std::bad_alloc&) {
-    remark("out of memory");
+    remark(out_of_memory);
+    return refused;
+  } catch (const std::length_error&) {
+    remark(out_of_memory);
+    return refused;
   } catch (const std::exception& error) {
     remark(std::string("unexpected: ") + error.what());
   } catch (...) {

@@ -8,8 +8,10 @@
 
 #include "generator/pipeline.hpp"
 #include "generator/program/critical_path.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/output.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -55,7 +57,9 @@ std::string markdown_table(const std::vector<TextRow>& rows, std::size_t first_r
 
 SceneCost cost_of(const scene::Scene& scene, bool all_functions) {
   const std::vector<std::string> functions = all_functions ? Functions(scene).names() : std::vector<std::string>{};
-  const program::Program program = generate(scene, {functions}).program;
+  GenerateOptions options{functions};
+  options.tell = [](const std::string& note) { remark("note: " + note); };
+  const program::Program program = generate(scene, options).program;
   SceneCost cost{scene.name, size(scene), n_coordinates(scene), n_speeds(scene), {}, program::prepare_ledger(program)};
   const std::vector<program::Ledger> ledgers = program::ledgers(program);
   for (std::size_t i = 0; i < ledgers.size(); ++i)
@@ -98,8 +102,8 @@ Json costs_json(const std::vector<SceneCost>& costs) {
 
 std::string costs_markdown(const std::vector<SceneCost>& costs, const std::string& command) {
   std::string text =
-      "# Ledger\n\nWritten by `" + command +
-      "`; a test compares. One evaluation of each emitted function, counted exactly:\noperations are additions, "
+      "# Ledger\n\nWritten by " + fit::code(command) +
+      "; a test compares. One evaluation of each emitted function, counted exactly:\noperations are additions, "
       "multiplications and divisions in double; square roots, sines and cosines and other functions\nstand beside "
       "them. What depends on parameters alone is computed once, in `prepare`.\n\n## Operations by scene\n\n" +
       markdown_table(overview(costs), 1);

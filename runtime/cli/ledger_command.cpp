@@ -44,7 +44,7 @@ std::vector<SceneCost> costs_of(const Options& options) {
 
 std::string command_of(const Options& options) {
   std::string command = "kanec ledger";
-  for (const std::string& scene : options.scenes) command += " " + scene;
+  for (const std::string& scene : options.scenes) command += " " + typed(scene);
   return command + (options.all ? " --all" : "") + " --markdown";
 }
 

@@ -8,6 +8,7 @@
 
 #include "generator/candidates.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/output.hpp"
 #include "runtime/lanes/files.hpp"
@@ -56,11 +57,11 @@ const std::map<std::string, emit::Optimize>& goals() {
 
 // `source` makes what is to be compiled of what was generated.
 template <class SourceOf>
-CompiledModel build(const scene::Scene& scene, const GenerateOptions& options, const BuildArguments& arguments,
+CompiledModel build(const scene::Scene& scene, GenerateOptions options, const BuildArguments& arguments,
                     const std::string& what, SourceOf source) {
   const Interrupts interrupts;
+  options.tell = [](const std::string& note) { remark("note: " + note); };
   Generated generated = generate(scene, options);
-  for (const std::string& note : generated.notes) remark("note: " + note);
   interrupts.poll();
   compile::Options compiling = compile_options(arguments);
   compiling.poll = [&interrupts] { interrupts.poll(); };
@@ -107,8 +108,8 @@ std::string build_text(const BuildArguments& arguments) {
   if (arguments.algorithm) text += " --algorithm " + name(*arguments.algorithm);
   for (const auto& [goal, optimize] : goals())
     if (optimize == arguments.optimize && optimize != BuildArguments().optimize) text += " --optimize " + goal;
-  if (!arguments.compiler.empty()) text += " --compiler " + arguments.compiler;
-  if (arguments.flags_given) text += " --flags '" + arguments.flags + "'";
+  if (!arguments.compiler.empty()) text += " --compiler " + fit::shell(arguments.compiler);
+  if (arguments.flags_given) text += " --flags " + fit::shell(arguments.flags);
   return text;
 }
 

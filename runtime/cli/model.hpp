@@ -24,7 +24,7 @@ struct BuildArguments {
 };
 
 void add_build(CLI::App& command, BuildArguments& arguments);
-// " --optimize size --flags '-O3'": those that change what is compiled, as they are typed.
+// " --optimize size --flags -O3": those that change what is compiled, as they are typed.
 std::string build_text(const BuildArguments& arguments);
 compile::Options compile_options(const BuildArguments& arguments);
 

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -27,25 +28,28 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
+// Of what is no UTF-8, as names of files need not be, U+FFFD.
+std::string dumped(const Json& json) { return fit::json(json.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+
 bool is_plain(const Json& json) {
   return std::none_of(json.begin(), json.end(), [](const Json& part) { return part.is_structured(); });
 }
 
 std::string flat(const Json& list) {
   std::string text;
-  for (const Json& part : list) text += (text.empty() ? "" : ", ") + part.dump();
+  for (const Json& part : list) text += (text.empty() ? "" : ", ") + dumped(part);
   return "[" + text + "]";
 }
 
 std::string indented(const Json& json, const std::string& margin) {
-  if (!json.is_structured()) return json.dump();
+  if (!json.is_structured()) return dumped(json);
   if (json.empty()) return json.is_object() ? "{}" : "[]";
   if (json.is_array() && is_plain(json)) return flat(json);
   const std::string inner = margin + "  ";
   std::string text;
   for (const auto& [key, part] : json.items()) {
     text += (text.empty() ? "\n" : ",\n") + inner;
-    if (json.is_object()) text += Json(key).dump() + ": ";
+    if (json.is_object()) text += dumped(Json(key)) + ": ";
     text += indented(part, inner);
   }
   return (json.is_object() ? "{" : "[") + text + "\n" + margin + (json.is_object() ? "}" : "]");
@@ -75,7 +79,9 @@ std::string json_text(const Json& json) { return indented(json, "") + "\n"; }
 
 void print_json(const Json& json) { print(json_text(json)); }
 
-void remark(std::string_view text) { write_all(STDERR_FILENO, fmt::format("kanec: {}\n", text)); }
+void remark(std::string_view text) { write_all(STDERR_FILENO, fmt::format("kanec: {}\n", fit::line(text))); }
+
+void remark_lines(std::string_view text) { write_all(STDERR_FILENO, fmt::format("kanec: {}\n", fit::lines(text))); }
 
 std::string brief(double value) { return fmt::format("{:.4g}", value); }
 

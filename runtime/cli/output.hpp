@@ -25,15 +25,18 @@ bool is_standard_output(const std::string& path);
 // A report for people: to standard output, or, where that is taken by a product, to standard error.
 void report(std::string_view text, bool output_is_taken);
 
-// Indented, lists of plain values on one line each, a line feed at the end. Numbers read back exactly; what is not
-// finite is null.
+// Indented, lists of plain values on one line each, a line feed at the end, always UTF-8. Numbers read back exactly;
+// what is not finite is null.
 std::string json_text(const Json& json);
 
 // That to standard output. Throws FileError.
 void print_json(const Json& json);
 
-// "kanec: <text>" on standard error; a failure there is nobody's.
+// "kanec: <text>" on standard error, on one line; a failure there is nobody's.
 void remark(std::string_view text);
+
+// The same with the line feeds that the text has: another program's words.
+void remark_lines(std::string_view text);
 
 // In four digits.
 std::string brief(double value);

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <utility>
+
+#include "runtime/base/fit.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -19,7 +20,7 @@ void draw(const std::string& text) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string what) : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::string_view what) : what_(fit::line(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) draw("\r\033[K");

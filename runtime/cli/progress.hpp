@@ -4,12 +4,13 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace kanec::cli {
 
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string what);
+  explicit ProgressBar(std::string_view what);
   ~ProgressBar();  // wipes it away
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

@@ -6,6 +6,7 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/output.hpp"
 
 namespace kanec::cli {
@@ -50,6 +51,8 @@ scene::Scene load(const SceneArgument& argument) {
   for (const std::string& warning : scene.warnings) remark("warning: " + warning);
   return scene;
 }
+
+std::string typed(const std::string& path) { return fit::shell(path.starts_with('-') ? "./" + path : path); }
 
 std::vector<std::string> scene_files(const std::string& word) {
   if (is_scene(word)) return {file_of(word).string()};

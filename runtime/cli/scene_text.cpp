@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/joint_text.hpp"
 
 namespace kanec::cli {
@@ -37,7 +38,7 @@ class Writer {
     const auto index = static_cast<std::size_t>(n.index);
     if (n.kind == scene::Number::Kind::parameter) return '"' + scene_.parameters[index].name + '"';
     if (n.kind == scene::Number::Kind::input) return '"' + scene_.inputs[index].name + '"';
-    if (n.kind == scene::Number::Kind::expression) return '"' + scene_.expressions[index].text + '"';
+    if (n.kind == scene::Number::Kind::expression) return fit::toml(scene_.expressions[index].text);
     return toml_real(n.value);
   }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/settings.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "generator/scene/place.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/cli/numbers.hpp"
 #include "runtime/cli/scene_text.hpp"
 
 namespace kanec::cli {
@@ -16,13 +15,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& found, const std::string& allowed) {
   throw InputError("--set: found " + found + "; allowed: " + allowed);
-}
-
-std::optional<double> finite_number(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 // The known names, or, where they are too many to read, the nearest.

@@ -9,6 +9,7 @@
 #include "generator/scene/check.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/conservation.hpp"
@@ -17,6 +18,7 @@
 #include "runtime/cli/integration_options.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/model.hpp"
+#include "runtime/cli/numbers.hpp"
 #include "runtime/cli/paths.hpp"
 #include "runtime/cli/progress.hpp"
 #include "runtime/cli/resume.hpp"
@@ -222,7 +224,7 @@ void refuse_set_columns(const Options& options, const scene::Scene& scene) {
 Resumed start_of(const Options& options, const scene::Scene& scene, integrate::Options& run) {
   if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
   refuse_set_columns(options, scene);
-  Resumed resumed = read_trajectory(read_file(options.resume), options.resume, scene);
+  Resumed resumed = read_trajectory(read_file(options.resume, most_of_a_table), options.resume, scene);
   run.start = resumed.state.t;
   run.work = resumed.work;
   if (run.duration < run.start)
@@ -243,7 +245,7 @@ Resumed start_of(const Options& options, const scene::Scene& scene, integrate::O
   if (!end) throw Interrupted();
   const std::string rows = "; the rows until " + shortest(*end) + " s are ";
   if (is_standard_output(options.csv)) throw Interrupted(rows + "on standard output");
-  throw Interrupted(rows + "in " + options.csv + ", and --resume " + options.csv + " goes on from there");
+  throw Interrupted(rows + "in " + options.csv + ", and --resume " + fit::shell(options.csv) + " goes on from there");
 }
 
 int simulate_many(const Options& options, const scene::Scene& scene, const integrate::Options& run) {
@@ -309,18 +311,23 @@ void add_simulate(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
       app, action, "simulate", "compile a scene (once), integrate it, tell what became of it", footer, &simulate_scene);
   add_scene(*command, options->scene);
-  command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS");
-  command->add_option("--output-step", options->output_step, "between rows [s]")->option_text("SECONDS");
+  command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS")->check(positive());
+  command->add_option("--output-step", options->output_step, "between rows [s]")
+      ->option_text("SECONDS")
+      ->check(positive());
   command
       ->add_option("--integrator", options->integrator,
                    "rk4, lie4, gauss4, gauss6: fixed step; the others: error control; arkode_dirk, cvode_bdf, ida: for "
                    "stiff scenes; taylor: for tight tolerances")
       ->option_text(fmt::format("{}", fmt::join(integrate::method_names(), "|")));
-  command->add_option("--step", options->step, "of the fixed steps, the longest [s]")->option_text("SECONDS");
+  command->add_option("--step", options->step, "of the fixed steps, the longest [s]")
+      ->option_text("SECONDS")
+      ->check(positive());
   command
       ->add_option("--longest-step", options->longest_step,
                    "of those with error control, which may miss a load that is short (as long as the error allows) [s]")
-      ->option_text("SECONDS");
+      ->option_text("SECONDS")
+      ->check(not_negative());
   command->add_option("--order", options->order, "of arkode, 4, 5, 6 or 8; of arkode_dirk, 2 to 5 (0: by itself)")
       ->option_text("N");
   command
@@ -328,8 +335,12 @@ void add_simulate(CLI::App& app, Action& action) {
           "--jacobian", options->jacobian,
           "of arkode_dirk, cvode_bdf, ida: emitted derivatives, solved dense or sparse, or difference quotients")
       ->option_text("auto|dense|sparse|differences");
-  command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")->option_text("NUMBER");
-  command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")->option_text("NUMBER");
+  command->add_option("--rtol", options->relative_tolerance, "relative tolerance of a step")
+      ->option_text("NUMBER")
+      ->check(positive());
+  command->add_option("--atol", options->absolute_tolerance, "absolute tolerance of a step")
+      ->option_text("NUMBER")
+      ->check(positive());
   add_settings(*command, options->settings);
   command->add_flag("--json", options->json, "summary for machines, with the state at the end");
   add_files(*command, *options);

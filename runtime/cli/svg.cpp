@@ -7,27 +7,12 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/base/fit.hpp"
+
 namespace kanec::cli {
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (static_cast<unsigned char>(c) < ' ')
-      safe += ' ';
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 std::string svg_label(double x, double y, const char* kind, const std::string& text) {
-  return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kind, x, y, escaped(text));
+  return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", kind, x, y, fit::xml(text));
 }
 
 std::string svg_line(double x1, double y1, double x2, double y2) {

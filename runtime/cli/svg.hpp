@@ -7,9 +7,6 @@
 
 namespace kanec::cli {
 
-// Text as it may stand in XML: its special characters replaced, control characters blanks.
-std::string escaped(const std::string& text);
-
 // One line of text whose anchor is at (x, y) [px]; `kind` is a class of the picture's style.
 std::string svg_label(double x, double y, const char* kind, const std::string& text);
 

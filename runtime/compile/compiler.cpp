@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/process.hpp"
 
 namespace kanec::compile {
@@ -27,14 +28,10 @@ std::vector<std::string> words(const std::string& text) {
   return list;
 }
 
-// A command for a person to read: what holds a blank in quotes.
+// A command as it is typed.
 std::string shown(const std::vector<std::string>& command) {
   std::string text;
-  for (const std::string& word : command) {
-    const bool plain = !word.empty() && word.find_first_of(" \t\n'\"$`\\*?;&|<>()") == std::string::npos;
-    if (!text.empty()) text += ' ';
-    text += plain ? word : '"' + word + '"';
-  }
+  for (const std::string& word : command) text += (text.empty() ? "" : " ") + fit::shell(word);
   return text;
 }
 

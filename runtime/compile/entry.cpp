@@ -90,7 +90,7 @@ Finding look_at(const fs::path& entry, const std::string& key) {
 
 void complete(const fs::path& made, const std::string& key) {
   write_file(made / "key", key);
-  write_file(made / "seal", seal(read_file(made / library_name)));
+  write_file(made / "seal", seal(read_file(made / library_name, any_size)));
   for (const char* name : {"key", "seal", library_name}) {
     std::error_code ignored;  // an exposed entry is made anew each time
     fs::permissions(made / name, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove, ignored);

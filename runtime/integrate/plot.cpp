@@ -65,10 +65,9 @@ void Plot::draw() {
   const TemporaryFolder folder(temporary_root() / "kanec-plot");
   const fs::path picture = folder.path() / "plot.svg";
   const ProcessResult result = run_process({gnuplot_.string(), "-d", "-"}, gnuplot_script(data_, picture.string()));
-  const std::string svg = fs::exists(picture) ? read_file(picture) : "";
+  const std::string svg = fs::exists(picture) ? read_file(picture, any_size) : "";
   if (result.status != 0 || svg.find("</svg>") == std::string::npos)
-    throw FileError(path_.string(),
-                    "gnuplot failed with status " + std::to_string(result.status) + "\n" + result.output);
+    throw FileError(path_.string(), "gnuplot failed with status " + std::to_string(result.status), result.output);
   file_.write(svg);
 }
 

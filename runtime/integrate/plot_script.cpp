@@ -5,18 +5,13 @@
 #include <array>
 #include <charconv>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/integrate/panels.hpp"
 
 namespace kanec::integrate {
 namespace {
 
 constexpr std::size_t row_height = 420;  // [px]
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result.append("'");
-}
 
 void append(std::string& text, double value) {
   std::array<char, 32> digits;
@@ -77,15 +72,15 @@ std::string data_blocks(const PlotData& data, const std::vector<Panel>& panels) 
 }
 
 std::string draw(const Panel& panel, std::size_t number) {
-  std::string text =
-      "set title " + quoted(panel.title + legend_note(panel)) + "\nset ylabel " + quoted(panel.axis) + "\nplot ";
+  std::string text = "set title " + fit::gnuplot(panel.title + legend_note(panel)) + "\nset ylabel " +
+                     fit::gnuplot(panel.axis) + "\nplot ";
   for (const int body : panel.bodies) {
     std::size_t column = 2;
     for (const Curve& curve : curves_of(panel, body)) {
       const std::string words = legend(panel, curve);
       if (text.back() != ' ') text += ", \\\n  ";
       text += block_name(number, body) + " using 1:" + std::to_string(column++) + " with lines " + look(panel, curve) +
-              " " + (words.empty() ? "notitle" : "title " + quoted(words));
+              " " + (words.empty() ? "notitle" : "title " + fit::gnuplot(words));
     }
   }
   return text + "\n";
@@ -101,7 +96,7 @@ plot $energy using 1:($2+$3) with lines lw 4 lc rgb '#c0c0c0' title 'total', \
   $energy using 1:3 with lines lw 1.4 lc rgb '#2ca02c' title 'potential', \
   $energy using 1:4 with lines lw 1.4 dt 2 lc rgb '#d62728' title 'work'
 set title )" +
-         quoted(balance) + R"(
+         fit::gnuplot(balance) + R"(
 set ylabel 'change of energy - work [J]'
 set format y '%.1e'
 plot $energy using 1:5 with lines lw 1.2 lc rgb '#d62728' notitle
@@ -114,7 +109,7 @@ std::string gnuplot_script(const PlotData& data, const std::string& output) {
   const std::vector<Panel> list = panels(data.names);
   const std::size_t rows = std::max<std::size_t>(list.size() / 2 + (data.has_energy ? 1 : 0), 1);
   std::string script = "set encoding utf8\nset terminal svg size 1500," + std::to_string(row_height * rows) +
-                       " noenhanced font 'Helvetica,14' background 'white'\nset output " + quoted(output) + "\n" +
+                       " noenhanced font 'Helvetica,14' background 'white'\nset output " + fit::gnuplot(output) + "\n" +
                        data_blocks(data, list) + "set multiplot layout " + std::to_string(rows) +
                        ",2\nset xlabel 'time t [s]'\nset grid lc rgb '#c0c0c0'\nset autoscale xfix\n"
                        "set offsets 0, 0, graph 0.05, graph 0.05\nset key outside right top samplen 2 spacing 0.9\n";

@@ -32,6 +32,19 @@ TEST(Error, build_error_shows_command_and_output) {
   EXPECT_STREQ(BuildError("no compiler", "", "").what(), "no compiler");
 }
 
+TEST(Error, message_is_one_line_whatever_stands_in_it) {
+  EXPECT_STREQ(InputError("a\n\x1b[1m\u202e\xff").what(), "a\\x0a\\x1b[1m\\u202e\\xff");
+  EXPECT_STREQ(FileError("a\nb", "gone").what(), "a\\x0ab: gone");
+  const SceneError error(SceneFault{"a\n.toml", 1, "", "", "\"x\ny\"", "z"});
+  EXPECT_STREQ(error.what(), "a\\x0a.toml:1: found \"x\\x0ay\"; allowed: z");
+  EXPECT_EQ(error.fault().file, "a\n.toml");
+}
+
+TEST(Error, another_programs_words_keep_their_lines) {
+  EXPECT_STREQ(BuildError("a\nb", "c\nd", "e\r\n\x1b").what(), "a\\x0ab\n  command: c\\x0ad\ne\n\\x1b");
+  EXPECT_STREQ(FileError("a\nb", "gnuplot failed", "c\nd\x07").what(), "a\\x0ab: gnuplot failed\nc\nd\\x07");
+}
+
 TEST(Error, every_error_is_caught_as_the_base) {
   EXPECT_THROW(throw SceneError(SceneFault{}), Error);
   EXPECT_THROW(throw InputError(""), Error);

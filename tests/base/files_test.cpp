@@ -16,6 +16,8 @@
 #include <string>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/temporary.hpp"
+#include "tests/base/environment.hpp"
 #include "tests/base/folder.hpp"
 #include "tests/base/small_disk.hpp"
 
@@ -72,6 +74,31 @@ TEST(Files, reading_a_missing_file_names_it) {
 TEST(Files, reading_a_folder_is_an_error) {
   const Folder folder;
   EXPECT_EQ(message_of([&] { read_file(folder.path()); }), folder.path().string() + ": Is a directory");
+}
+
+TEST(Files, reading_more_than_what_is_allowed_is_an_error) {
+  const Folder folder;
+  write_file(folder.path() / "a", std::string((1 << 20) + 1, 'a'));
+  EXPECT_EQ(read_file(folder.path() / "a", (1 << 20) + 1).size(), (1u << 20) + 1);
+  EXPECT_EQ(message_of([&] { read_file(folder.path() / "a", 1 << 20); }),
+            (folder.path() / "a").string() + ": found more than 1 MiB; allowed: at most so many");
+}
+
+TEST(Files, reading_what_has_no_end_is_an_error) {
+  EXPECT_EQ(message_of([] { read_file("/dev/zero", any_size); }),
+            "/dev/zero: found more than 64 MiB; allowed: at most so many");
+}
+
+TEST(Files, temporary_root_is_absolute) {
+  const Folder folder;
+  {
+    const test::Variable variable("TMPDIR", folder.path().string());
+    EXPECT_EQ(temporary_root(), folder.path());
+  }
+  const test::Variable relative("TMPDIR", ".");
+  EXPECT_TRUE(temporary_root().is_absolute());
+  const test::Variable missing("TMPDIR", (folder.path() / "none").string());
+  EXPECT_EQ(temporary_root(), "/tmp");
 }
 
 TEST(Files, file_appears_only_by_commit) {

@@ -279,7 +279,7 @@ TEST_F(IntegrationReport, refuses_what_cannot_be) {
             "--error: found " + error + "; allowed: a positive finite number");
   for (const std::string limit : {"0", "1e-04", "1e+07"})
     refuses({"report", pendulum, "--integration", "--limit=" + limit},
-            "--limit: found " + limit + "; allowed: from 0.001 to 1e6");
+            "--limit: found " + limit + "; allowed: from 0.001 to 1e+06");
 }
 
 }  // namespace

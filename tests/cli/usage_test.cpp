@@ -39,7 +39,7 @@ TEST_F(Usage, what_has_no_meaning_is_refused_with_the_nearest_that_has) {
   refuses({"--bogus"}, "no option '--bogus' here; see kanec --help");
   refuses({"derive", "x", "y"}, "one argument too many: 'y'");
   refuses({"derive", "x", "--format", "tex"}, "--format");
-  refuses({"simulate", "x", "--duration", "long"}, "--duration = long");
+  refuses({"simulate", "x", "--duration", "long"}, "--duration: found \"long\"; allowed: a positive finite number");
   refuses({"check", "x", "--states", "0"}, "--states");
 }
 

@@ -6,6 +6,7 @@
 #include "kanec_abi_text.hpp"
 #include "runtime/abi/batch_solver.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/compile/bench.hpp"
 
@@ -248,7 +249,7 @@ TEST_F(Build, unsound_names_are_our_mistake) {
   };
   for (const char* name : {"../x.hpp", "a/b", "", ".", "..", "-x", "a b", "a\n"})
     EXPECT_EQ(message_of<InternalError>(with_file(name), options),
-              std::string("unsound name of a source file: ") + name);
+              "unsound name of a source file: " + fit::line(name));
   for (const char* name : {"toy.hpp", "abi.h", "made"})
     EXPECT_EQ(message_of<InternalError>(with_file(name), options), std::string("source file given twice: ") + name);
   Source source = toy();

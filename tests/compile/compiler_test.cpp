@@ -131,7 +131,7 @@ class FailingCompiler : public Bench {
 TEST_F(FailingCompiler, its_output_and_command_are_shown) {
   const BuildError error = failure(toy_with("parameters[0]", "parameters[0] + undeclared_name"));
   EXPECT_THAT(error.what(),
-              StartsWith("the C++ compiler ended with status 1\n  command: \"" + compiler() + "\" -std=c++17"));
+              StartsWith("the C++ compiler ended with status 1\n  command: '" + compiler() + "' -std=c++17"));
   EXPECT_THAT(error.what(), HasSubstr("undeclared_name"));
   EXPECT_THAT(error.output(), AllOf(HasSubstr("toy_abi.cpp:4:"), HasSubstr("error:"), HasSubstr("undeclared_name")));
   EXPECT_THAT(error.command(), AllOf(HasSubstr(" -O0 "), HasSubstr("toy_abi.cpp -o ")));

@@ -231,5 +231,17 @@ TEST(Wrapped, breaks_long_lines_at_blanks_and_keeps_what_cannot_be_broken) {
   EXPECT_THAT(emit::wrapped("  // " + unbroken, "  //   "), ElementsAre("  // " + unbroken));
 }
 
+// Patterns of large matrices are such lists: 7 MB, 62,500 lines.
+TEST(Wrapped, breaks_a_list_of_a_million_entries) {
+  std::string list;
+  for (int i = 0; i < 1'000'000; ++i) list += (i == 0 ? "" : " ") + std::to_string(100'000 + i % 900'000);
+  const std::vector<std::string> lines = emit::wrapped(list, "    ");
+  ASSERT_EQ(lines.size(), 62'500u);
+  EXPECT_EQ(lines.front().size(), 118u);
+  std::string again = lines[0];
+  for (std::size_t i = 1; i < lines.size(); ++i) again += " " + lines[i].substr(4);
+  EXPECT_EQ(again, list);
+}
+
 }  // namespace
 }  // namespace kanec::test

@@ -209,7 +209,7 @@ TEST(PlotScript, of_prescribed_coordinates_alone_is_drawn) {
 }
 
 TEST(PlotScript, quotes_the_output_path) {
-  EXPECT_THAT(gnuplot_script(one_sample(1, false), "it's.svg"), HasSubstr("set output 'it''s.svg'\n"));
+  EXPECT_THAT(gnuplot_script(one_sample(1, false), "it's.svg"), HasSubstr("set output \"it\\047s.svg\"\n"));
 }
 
 // A deviation far below the energies survives the rounding of what is drawn.

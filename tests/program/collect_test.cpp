@@ -78,5 +78,17 @@ TEST(Collect, keeps_values_and_never_raises_the_cost) {
   }
 }
 
+// x0 + 2 x0 + x1 + 2 x1 + ...: 3 x0 + 3 x1 + ...
+TEST(Collect, multiples_of_thousands_of_values_become_one_each) {
+  constexpr Index n = 5000;
+  SmallProgram b;
+  Ref all = b.c(0.5);
+  for (Index i = 0; i < n; ++i) {
+    const Ref x = b.x(i);
+    all = b.add(b.add(all, x), b.multiply(b.c(2), x));
+  }
+  EXPECT_EQ(operations(drop_dead(collect(b.with({all})))), 2 * n);
+}
+
 }  // namespace
 }  // namespace kanec::program

@@ -85,5 +85,28 @@ TEST(Combined, of_an_unknown_function_is_refused) {
   EXPECT_THAT([&] { combined(program, {"f", "h"}); }, ThrowsMessage<InternalError>("no function h in the program"));
 }
 
+// Quantities of a chain of hundreds of bodies are tens of thousands. The second list has every other one of the first,
+// and one of its own behind each.
+TEST(Combined, long_lists_of_quantities_keep_the_order_of_both) {
+  constexpr Index n = 20'000;
+  const auto quantity = [](const std::string& name, Index node) {
+    return Quantity{name, {name}, {{node, false}}, 0, Pass::outward, "", ""};
+  };
+  std::vector<Quantity> list, more;
+  std::vector<std::string> expected;
+  for (Index i = 0; i < n; ++i) {
+    list.push_back(quantity("a" + std::to_string(i), i));
+    expected.push_back(list.back().name);
+    if (i % 2 == 0) continue;
+    more.push_back(list.back());
+    more.push_back(quantity("b" + std::to_string(i), n + i));
+    expected.push_back(more.back().name);
+  }
+  merge_quantities(list, more, "of_b");
+  std::vector<std::string> names;
+  for (const Quantity& each : list) names.push_back(each.name);
+  EXPECT_EQ(names, expected);
+}
+
 }  // namespace
 }  // namespace kanec::program

@@ -84,5 +84,20 @@ TEST(ShareSums, a_term_that_stands_twice_stays_twice) {
   EXPECT_EQ(additions(shared), 3);
 }
 
+// Energy and momentum of hundreds of bodies are such sums. All pairs of their terms would be two hundred million.
+TEST(ShareSums, a_sum_of_ten_thousands_of_terms_shares_the_few_that_another_has) {
+  SmallProgram b;
+  Ref all = b.x(0);
+  std::vector<Ref> squares;
+  for (Index i = 0; i < 20'000; ++i) {
+    squares.push_back(b.multiply(b.x(i), b.x(i)));
+    all = b.add(all, squares.back());
+  }
+  const Ref some = b.add(b.add(squares[700], squares[19'999]), b.x(3));
+  const Program program = b.with({all, some});
+  EXPECT_EQ(additions(program), 20'002);
+  EXPECT_EQ(additions(share_sums(program)), 20'001);
+}
+
 }  // namespace
 }  // namespace kanec::program

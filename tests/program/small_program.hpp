@@ -31,7 +31,7 @@ class SmallProgram : public Builder {
 // Nodes of a kind that outputs depend on.
 template <class Kind>
 int count(const Program& program) {
-  const std::vector<bool> alive = reachable(program, all_outputs(program));
+  const std::vector<bool> alive = reachable(program);
   int n = 0;
   for (std::size_t i = 0; i < alive.size(); ++i) n += alive[i] && std::holds_alternative<Kind>(program.nodes[i]);
   return n;

@@ -53,8 +53,22 @@ TEST(Toml, deep_nesting_is_an_error_and_no_crash) {
 }
 
 TEST(Toml, text_that_the_parser_asserts_against_is_an_error) {
-  for (const std::string text : {"[\n", "[[\n", "[ #", "[=", "[.a]", "[é]", "a = [0, }"})
+  for (const std::string text : {"[\n", "[[\n", "[ #", "[=", "[.a]", "a = [0, }"})
     EXPECT_THAT(message("name = 'a'\n" + text), StartsWith("f:2: found Error while parsing ")) << text;
+}
+
+// Of the first three toml++ 3.3 has no defined behaviour.
+TEST(Toml, letters_beyond_ascii_stand_in_quotes_and_comments_alone) {
+  for (const std::string letter : {"\ufe7f", "\ufebf", "\ufefb", "\u00e9", "\ufeff"}) {
+    const std::string shown = letter == "\ufeff" ? "\\ufeff" : letter;
+    const std::string refusal =
+        "found the character \"" + shown + "\"; allowed: ASCII outside of comments and texts in quotes";
+    EXPECT_EQ(message(letter == "\ufeff" ? letter + letter : letter + "a = 1"), "f:1: " + refusal);
+    EXPECT_EQ(message("name = 'a'\n  " + letter), "f:2: " + refusal);
+    EXPECT_EQ(message("# " + letter + "\n" + one_body("")), "no error");
+    EXPECT_THAT(message("name = \"\"\"" + letter + "\"\"\""), HasSubstr("f:1: name: found \"" + shown));
+  }
+  EXPECT_EQ(message("\ufeff" + one_body("")), "no error");
 }
 
 TEST(Toml, dots_in_comments_and_texts_are_no_nesting) {

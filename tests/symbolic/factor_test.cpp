@@ -71,5 +71,20 @@ TEST_F(Factor, symmetric_matrices_and_separated_rotations_stay) {
     EXPECT_TRUE(with_relative_rotations(e, table).is_equal(e)) << e;
 }
 
+// What a body with hundreds of others on it sums: each of its groups has a factor of its own.
+TEST_F(Factor, a_sum_of_hundreds_of_groups_takes_out_the_factor_of_each) {
+  constexpr int groups = 300;
+  ex e = 0;
+  for (int i = 0; i < groups; ++i) {
+    const auto letter = [&](const char* name) {
+      return table.add(Role::quantity, name, name, std::to_string(i), Shape::vector);
+    };
+    const ex joint = letter("d");
+    e += skew(joint) * letter("g") + skew(joint) * letter("h");
+  }
+  EXPECT_EQ(block_products(e), 2 * n);
+  EXPECT_EQ(block_products(factored(e)), n);
+}
+
 }  // namespace
 }  // namespace kanec::symbolic

@@ -7,12 +7,14 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/bench/contest_chart.hpp"
 #include "runtime/cli/bench/contest_page.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/bench/variants.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/functions.hpp"
+#include "runtime/cli/numbers.hpp"
 #include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli {
@@ -68,8 +70,8 @@ std::string compiler_text(const BuildArguments& arguments) {
 }
 
 std::string as_text(const std::vector<Contest>& list, const Conditions& conditions) {
-  std::string report = fmt::format("processor time per evaluation on {}\nemitted code by {}\n", conditions.processor,
-                                   conditions.compiler);
+  std::string report = fmt::format("processor time per evaluation on {}\nemitted code by {}\n",
+                                   fit::line(conditions.processor), fit::line(conditions.compiler));
   for (const Contest& contest : list) report += "\n" + text(contest);
   const std::string notes = footnotes(list);
   return notes.empty() ? report : report + "\n" + notes;
@@ -87,15 +89,17 @@ std::string as_json(const std::vector<Contest>& list, const Conditions& conditio
 // That writes the same report again, bar the times.
 std::string command_of(const Options& options) {
   std::string command = "kanec bench";
-  for (const std::string& scene : options.scenes) command += " " + scene;
-  if (!options.connection.empty()) command += " --connection " + options.connection;
-  if (!options.functions.empty()) command += fmt::format(" --functions {}", fmt::join(options.functions, ","));
-  if (!options.variants.empty()) command += fmt::format(" --variants {}", fmt::join(options.variants, ","));
+  for (const std::string& scene : options.scenes) command += " " + typed(scene);
+  if (!options.connection.empty()) command += " --connection " + fit::shell(options.connection);
+  if (!options.functions.empty())
+    command += " --functions " + fit::shell(fmt::format("{}", fmt::join(options.functions, ",")));
+  if (!options.variants.empty())
+    command += " --variants " + fit::shell(fmt::format("{}", fmt::join(options.variants, ",")));
   command += options.no_peers ? " --no-peers" : "";
   command += build_text(options.build);
   command += options.build.no_cache ? " --no-cache" : "";
-  command += is_standard_output(options.output) ? " --markdown" : " --markdown -o " + options.output;
-  return options.svg.empty() ? command : command + " --svg " + options.svg;
+  command += is_standard_output(options.output) ? " --markdown" : " --markdown -o " + fit::shell(options.output);
+  return options.svg.empty() ? command : command + " --svg " + fit::shell(options.svg);
 }
 
 std::string report_of(const std::vector<Contest>& list, const Options& options) {
@@ -150,7 +154,7 @@ void add_bench(CLI::App& app, Action& action) {
       ->option_text("all|a,b,...");
   command->add_option("--min-time", options->min_time, "for each function and path (0.5) [s]")
       ->option_text("SECONDS")
-      ->check(CLI::Range(0.001, 3600.0));
+      ->check(within(0.001, 3600.0));
   command->add_flag("--no-peers", options->no_peers, "without other engines");
   command->add_flag("--json", options->json, "report for machines");
   command->add_flag("--markdown", options->markdown, "report as a page (docs/benchmarks.md)");

@@ -65,7 +65,7 @@ bool is_of(const std::string& mangled, const std::string& function) {
 
 std::optional<std::size_t> code_bytes(const compile::Model& model, const std::string& function) {
   std::size_t bytes = 0;
-  for (const Symbol& symbol : symbols(read_file(model.library())))
+  for (const Symbol& symbol : symbols(read_file(model.library(), any_size)))
     if (is_of(symbol.name, function)) bytes += symbol.size;
   return bytes > 0 ? std::optional(bytes) : std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 
 namespace kanec::cli {
@@ -140,11 +141,12 @@ std::string notes(const std::vector<Contest>& contests) {
   for (const Contest& contest : contests)
     for (const Entry& entry : contest.entries)
       if (!entry.time)
-        text += fmt::format("- {}, {}, {}: {}.\n", contest.model, entry.function, entry.name, entry.note);
+        text +=
+            fmt::format("- {}, {}, {}: {}.\n", contest.model, entry.function, entry.name, fit::markdown(entry.note));
   const std::string known = footnotes(contests);
   for (std::size_t at = 0; at < known.size();) {
     const std::size_t end = known.find('\n', at);
-    text += "- " + known.substr(at, end - at) + ".\n";
+    text += "- " + fit::markdown(known.substr(at, end - at)) + ".\n";
     at = end + 1;
   }
   return text.empty() ? "" : "\n" + text;
@@ -154,11 +156,12 @@ std::string notes(const std::vector<Contest>& contests) {
 
 std::string page(const std::vector<Contest>& contests, const Conditions& conditions, const std::string& command,
                  const std::string& picture) {
-  std::string text = fmt::format(beginning, command, conditions.processor, conditions.compiler);
+  std::string text =
+      fmt::format(beginning, command, fit::markdown(conditions.processor), fit::markdown(conditions.compiler));
   text += time_table(contests) + notes(contests);
   if (!picture.empty())
-    text +=
-        fmt::format("\n![The same on a logarithmic axis]({})\n", std::filesystem::path(picture).filename().string());
+    text += fmt::format("\n![The same on a logarithmic axis]({})\n",
+                        fit::link(std::filesystem::path(picture).filename().string()));
   return text + method + "\n## Largest differences from the generic path, relative\n" + difference_table(contests);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/table.hpp"
 
@@ -25,7 +26,7 @@ std::string ratio_text(const Entry& entry, const Entry& first) {
 
 // Why there is no time, or what the operations are where the first entry has others.
 std::string remarks(const Entry& entry, const Entry& first) {
-  if (!entry.time) return entry.note;
+  if (!entry.time) return fit::line(entry.note);
   const bool is_told = &entry != &first && entry.cost == first.cost;
   return entry.cost && !is_told ? program::text(*entry.cost) : "";
 }
@@ -73,7 +74,7 @@ std::string footnotes(const std::vector<Contest>& contests) {
   std::vector<std::string> lines;
   for (const Contest& contest : contests)
     for (const Entry& entry : contest.entries)
-      if (entry.time && !entry.note.empty()) lines.push_back(entry.name + ": " + entry.note + "\n");
+      if (entry.time && !entry.note.empty()) lines.push_back(entry.name + ": " + fit::line(entry.note) + "\n");
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return fmt::format("{}", fmt::join(lines, ""));

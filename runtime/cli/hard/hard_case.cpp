@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "generator/scene/nesting.hpp"
 #include "generator/scene/node.hpp"
+#include "generator/scene/parse_toml.hpp"
 #include "generator/scene/read.hpp"
 #include "generator/scene/read_simulation.hpp"
 #include "runtime/base/files.hpp"
@@ -15,15 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using scene::Node;
 using scene::Table;
-
-toml::table parsed(const std::string& text, const std::string& file) {
-  scene::check_key_depth(text, file);
-  try {
-    return toml::parse(text, std::string_view(file));
-  } catch (const toml::parse_error& error) {
-    scene::fail({file, static_cast<int>(error.source().begin.line)}, std::string(error.description()), "TOML 1.0");
-  }
-}
 
 std::vector<Bound> read_bounds(const Node& node) {
   std::vector<Bound> bounds;
@@ -61,7 +52,7 @@ HardCase read_hard_case(const fs::path& folder) {
   hard.name = (fs::absolute(folder) / "").lexically_normal().parent_path().filename().string();
   hard.scene = scene::read(folder / "scene.toml");
   hard.file = (folder / "hard.toml").string();
-  const toml::table table = parsed(read_file(hard.file), hard.file);
+  const toml::table table = scene::parse_toml(read_file(hard.file), hard.file);
   const Table root(table, {hard.file}, "");
   root.only({"case", "source", "answer", "run"});
   hard.title = root.at("case", "what is hard, in a line").text("what is hard, in a line");

@@ -9,6 +9,7 @@
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/progress.hpp"
+#include "runtime/cli/scene_argument.hpp"
 
 namespace kanec::cli::hard {
 namespace {
@@ -49,7 +50,7 @@ bool holds(const CaseReport& report) {
 
 std::string command_of(const HardOptions& options) {
   std::string command = "kanec report --hard";
-  for (const std::string& folder : options.folders) command += " " + folder;
+  for (const std::string& folder : options.folders) command += " " + typed(folder);
   return command + (options.brief ? " --short" : "") + " --markdown";
 }
 

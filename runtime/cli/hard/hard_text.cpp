@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/report/methods.hpp"
 #include "runtime/cli/table.hpp"
 
@@ -20,7 +21,7 @@ std::string shown(const Kept& kept) {
 }
 
 std::string kept(const Outcome& one) {
-  if (!one.failure.empty()) return one.failure;
+  if (!one.failure.empty()) return fit::line(one.failure);
   std::string text;
   for (const Kept& kept : one.kept) text += (text.empty() ? "" : ", ") + shown(kept);
   return text;
@@ -33,8 +34,8 @@ std::string rounding_text(const Rounding& r) {
 
 TextRow row(const HardCase& hard, const Outcome& one) {
   const std::string length = fmt::format("{} s", shown(one.options.duration));
-  if (!one.failure.empty()) return {hard.name, method_text(one.options), length, "", "", "", "", kept(one)};
-  return {hard.name,
+  if (!one.failure.empty()) return {fit::line(hard.name), method_text(one.options), length, "", "", "", "", kept(one)};
+  return {fit::line(hard.name),
           method_text(one.options),
           length,
           std::to_string(one.summary.steps),
@@ -58,7 +59,7 @@ std::string report_text(const std::vector<CaseReport>& cases) {
 
 std::string report_markdown(const std::vector<CaseReport>& cases, const std::string& command,
                             const std::filesystem::path& place) {
-  std::string text = "# Hard cases\n\nWritten by `" + command + R"(`.
+  std::string text = "# Hard cases\n\nWritten by " + fit::code(command) + R"(.
 
 Each is a folder with a scene, its known answer and source. Of every run stands what it kept at its worst, and in
 brackets what it is allowed: energy, momenta and invariants relative, attitudes in rad, positions relative or in m as
@@ -78,7 +79,9 @@ in single precision, relative; "no" where it leaves fewer than three digits.
     const std::string link = std::filesystem::relative(one.folder, place).generic_string();
     for (const Outcome& outcome : one.outcomes) {
       TextRow cells = row(one.hard, outcome);
-      cells[0] = fmt::format("[{}]({}): {}", one.hard.name, link, one.hard.title);
+      cells[0] =
+          fmt::format("[{}]({}): {}", fit::markdown(one.hard.name), fit::link(link), fit::markdown(one.hard.title));
+      cells.back() = fit::markdown(cells.back());
       line(cells);
     }
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/svg.hpp"
 
 namespace kanec::cli {
@@ -97,7 +98,7 @@ class Drawing {
 
   std::string y_title() const {
     return fmt::format("<text class=\"x\" transform=\"translate(22 {:.1f}) rotate(-90)\">{}</text>\n",
-                       (top_ + bottom_) / 2, escaped(diagram_.y.title));
+                       (top_ + bottom_) / 2, fit::xml(diagram_.y.title));
   }
 
   std::string polyline(const std::string& look, const std::vector<DiagramPoint>& points) const {
@@ -157,7 +158,7 @@ class Drawing {
     constexpr double r = 4.5;
     const std::string look =
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", is_full ? colour(index) : "white", colour(index));
-    const std::string inner = fmt::format("><title>{}</title>", escaped(title));
+    const std::string inner = fmt::format("><title>{}</title>", fit::xml(title));
     switch ((index + index / colours.size()) % 4) {
       case 0:
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}{}</circle>\n", x, y, r, look, inner);

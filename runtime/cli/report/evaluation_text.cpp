@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/cli/dump.hpp"
 #include "runtime/cli/table.hpp"
 
@@ -238,11 +239,11 @@ std::string variants_csv(const std::vector<SceneErrors>& scenes) {
 std::string evaluation_markdown(const std::vector<SceneErrors>& scenes, const EvaluationOptions& options,
                                 const std::string& command) {
   std::string text =
-      "# Accuracy of evaluation\n\nWritten by `" + command + "`.\n\n" + fmt::format(page_head, options.states);
+      "# Accuracy of evaluation\n\nWritten by " + fit::code(command) + ".\n\n" + fmt::format(page_head, options.states);
   text += overview(scenes);
   for (const SceneErrors& scene : scenes) {
     if (!scene.failure.empty()) {
-      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, scene.failure);
+      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, fit::markdown(scene.failure));
       continue;
     }
     text += fmt::format("\n## {}\n\n{} bodies, {} speeds; {}.\n", scene.model, scene.bodies, scene.speeds,

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "runtime/base/error.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/functions.hpp"
 #include "runtime/cli/interrupt.hpp"
@@ -37,8 +38,8 @@ SceneErrors errors_of(const scene::Scene& scene, const ReportOptions& given, con
 std::vector<std::string> arguments_of(const ReportOptions& options) {
   std::vector<std::string> list;
   for (const std::string& word : options.scenes)
-    for (const std::string& file : scene_files(word)) list.push_back(file);
-  if (list.empty()) list.push_back("--connection " + options.connection);
+    for (const std::string& file : scene_files(word)) list.push_back(typed(file));
+  if (list.empty()) list.push_back("--connection " + fit::shell(options.connection));
   return list;
 }
 
@@ -55,23 +56,24 @@ SceneRuns runs_of(const scene::Scene& scene, const ReportOptions& options, const
 // That writes the same page again, bar the times.
 std::string command_of(const ReportOptions& options) {
   std::string command = "kanec report";
-  for (const std::string& scene : options.scenes) command += " " + scene;
-  if (!options.connection.empty()) command += " --connection " + options.connection;
+  for (const std::string& scene : options.scenes) command += " " + typed(scene);
+  if (!options.connection.empty()) command += " --connection " + fit::shell(options.connection);
   if (!options.integrates()) command += " --evaluation";
   if (!options.evaluates()) command += " --integration";
   if (!options.evaluation.functions.empty())
-    command += fmt::format(" --functions {}", fmt::join(options.evaluation.functions, ","));
+    command += " --functions " + fit::shell(fmt::format("{}", fmt::join(options.evaluation.functions, ",")));
   const EvaluationOptions usual;
   if (options.evaluation.states != usual.states) command += fmt::format(" --states {}", options.evaluation.states);
   if (options.evaluation.seed != usual.seed) command += fmt::format(" --seed {}", options.evaluation.seed);
   if (options.evaluation.is_timed) command += " --timed";
   const IntegrationOptions& run = options.integration;
-  if (!run.integrators.empty()) command += fmt::format(" --integrators {}", fmt::join(run.integrators, ","));
+  if (!run.integrators.empty())
+    command += " --integrators " + fit::shell(fmt::format("{}", fmt::join(run.integrators, ",")));
   if (run.duration) command += " --duration " + shortest(*run.duration);
   if (run.error) command += " --error " + shortest(*run.error);
   if (run.limit != IntegrationOptions().limit) command += " --limit " + shortest(run.limit);
   if (options.with_peers) command += " --peers";
-  if (!options.plot.empty()) command += " --plot " + options.plot;
+  if (!options.plot.empty()) command += " --plot " + fit::shell(options.plot);
   return command + build_text(options.build) + " --markdown";
 }
 
@@ -147,7 +149,7 @@ Findings found(const ReportOptions& options, const std::vector<scene::Scene>& sc
   }
   const std::vector<std::string> failures = findings.failures();
   if (!failures.empty() && failures.size() == findings.errors.size() + findings.runs.size())
-    throw Error(failures.front());
+    throw Error(failures.front(), Error::Lines::several);
   return findings;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/cli/bench/contest_text.hpp"
 #include "runtime/cli/report/choice.hpp"
@@ -130,14 +131,6 @@ Json recommendations_json(const SceneRuns& scene, std::optional<double> error) {
   return list;
 }
 
-// In quotes where it has a comma or quotes, as RFC 4180 has it.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_numbers(const IntegrationRun& run) {
   const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
   const MotionError &e = run.end, &w = run.worst;
@@ -149,23 +142,17 @@ std::string csv_numbers(const IntegrationRun& run) {
 
 std::string csv_line(const SceneRuns& scene, const IntegrationRun& run) {
   const auto positive = [](double value) { return value > 0.0 ? shortest(value) : std::string(); };
-  return fmt::format("{},{},{},{},{},{},{}\n", csv_field(scene.model), csv_field(run.method), positive(run.step),
+  return fmt::format("{},{},{},{},{},{},{}\n", fit::csv(scene.model), fit::csv(run.method), positive(run.step),
                      positive(run.tolerance), shortest(run.wall_seconds),
-                     run.ok() ? csv_numbers(run) : std::string(17, ','), csv_field(run.failure));
+                     run.ok() ? csv_numbers(run) : std::string(17, ','), fit::csv(run.failure));
 }
 
 std::string markdown_row(const TextRow& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
 
-// What would end a cell or a row of a table.
-std::string cell_text(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 std::string markdown_table(const SceneRuns& scene) {
   TextRow top = headings;
-  for (std::size_t i = 0; i < top.size(); ++i) top[i] = cell_text(top[i] + (units[i].empty() ? "" : " " + units[i]));
+  for (std::size_t i = 0; i < top.size(); ++i)
+    top[i] = fit::markdown(top[i]) + (units[i].empty() ? "" : " " + units[i]);
   std::string text = markdown_row(top) + "|---|---|---|";
   for (std::size_t i = 3; i < headings.size(); ++i) text += "--:|";
   text += '\n';
@@ -173,7 +160,7 @@ std::string markdown_table(const SceneRuns& scene) {
     TextRow row = row_of(run);
     if (!run.ok()) {
       std::fill(row.begin() + 4, row.end(), "");
-      row[2] += ": " + cell_text(run.failure);
+      row[2] += ": " + fit::markdown(run.failure);
     }
     text += markdown_row(row);
   }
@@ -264,26 +251,27 @@ std::string integration_csv(const std::vector<SceneRuns>& scenes) {
       "end_speed[m/s],end_spin[rad/s],energy,momentum,norm_error,pareto,failure\n";
   for (const SceneRuns& scene : scenes) {
     for (const IntegrationRun& run : scene.runs) text += csv_line(scene, run);
-    if (!scene.failure.empty()) text += csv_field(scene.model) + std::string(23, ',') + csv_field(scene.failure) + "\n";
+    if (!scene.failure.empty()) text += fit::csv(scene.model) + std::string(23, ',') + fit::csv(scene.failure) + "\n";
   }
   return text;
 }
 
 std::string integration_markdown(const std::vector<SceneRuns>& scenes, std::optional<double> error,
                                  const std::string& command) {
-  std::string text = "# Accuracy of integration\n\nWritten by `" + command + "`.\n\n" +
-                     fmt::format(page_head, most_rows(scenes), processor_name());
+  std::string text = "# Accuracy of integration\n\nWritten by " + fit::code(command) + ".\n\n" +
+                     fmt::format(page_head, most_rows(scenes), fit::markdown(processor_name()));
   for (const SceneRuns& scene : scenes) {
     if (!scene.failure.empty()) {
-      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, scene.failure);
+      text += fmt::format("\n## {}\n\nFailed: {}\n", scene.model, fit::markdown(scene.failure));
       continue;
     }
     text += fmt::format("\n## {}\n\n{}. {}. {}.\n\n", scene.model, stretch_text(scene), reference_text(scene),
                         scales_text(scene));
     if (!scene.picture.empty())
-      text += fmt::format("![Wall time over error]({})\n\n", std::filesystem::path(scene.picture).filename().string());
+      text += fmt::format("![Wall time over error]({})\n\n",
+                          fit::link(std::filesystem::path(scene.picture).filename().string()));
     text += markdown_table(scene) + "\n";
-    for (const std::string& line : advice(scene, error)) text += "- " + line + "\n";
+    for (const std::string& line : advice(scene, error)) text += "- " + fit::markdown(line) + "\n";
   }
   return text;
 }

@@ -4,18 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <filesystem>
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/split.hpp"
-#include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/hard/hard_report.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/model.hpp"
+#include "runtime/cli/numbers.hpp"
 #include "runtime/cli/output.hpp"
 #include "runtime/cli/report/evaluation_diagram.hpp"
 #include "runtime/cli/report/findings.hpp"
@@ -120,20 +119,9 @@ void require_their_part(const Options& options) {
     refuse(name + ": found it beside --integration", "with --evaluation");
 }
 
-void require_sound_numbers(const IntegrationOptions& run) {
-  const auto require_positive = [](const std::optional<double>& value, const std::string& option) {
-    if (value && !(*value > 0.0 && std::isfinite(*value)))
-      refuse(option + ": found " + shortest(*value), "a positive finite number");
-  };
-  require_positive(run.duration, "--duration");
-  require_positive(run.error, "--error");
-  if (!(run.limit >= 1e-3 && run.limit <= 1e6)) refuse("--limit: found " + shortest(run.limit), "from 0.001 to 1e6");
-}
-
 void check(const Options& options) {
   for (const std::string& name : options.integration.integrators) integrate::method_of(name);
   require_one_format(options);
-  require_sound_numbers(options.integration);
   if (options.evaluation_alone && options.integration_alone)
     refuse("--evaluation: found it beside --integration", "one of them; without either both are made");
   require_their_part(options);
@@ -194,7 +182,7 @@ int report(const Options& given) {
   written.push_back(&file);
   commit_all(written);
   const std::vector<std::string> failures = findings.failures();
-  for (const std::string& failure : failures) remark(failure);
+  for (const std::string& failure : failures) remark_lines(failure);
   return failures.empty() ? success : check_failed;
 }
 
@@ -224,12 +212,17 @@ void add_integration(CLI::App& command, Options& options) {
       ->allow_extra_args(false)
       ->option_text("a,b,...")
       ->group(group);
-  command.add_option("--duration", run.duration, "from t = 0 (the scene's) [s]")->option_text("SECONDS")->group(group);
+  command.add_option("--duration", run.duration, "from t = 0 (the scene's) [s]")
+      ->option_text("SECONDS")
+      ->check(positive())
+      ->group(group);
   command.add_option("--error", run.error, "to recommend an integrator for (1e-3, 1e-6, 1e-9 and 1e-12)")
       ->option_text("NUMBER")
+      ->check(positive())
       ->group(group);
   command.add_option("--limit", run.limit, "wall time of one run, of the reference's five times that (1) [s]")
       ->option_text("SECONDS")
+      ->check(within(1e-3, 1e6))
       ->group(group);
   command
       .add_flag("--peers", options.with_peers,

@@ -84,7 +84,7 @@ std::string description(const Way& way, const std::string& function) {
 
 program::Program program_in(const scene::Scene& scene, const std::string& function, const NamedWay& way) {
   program::Program program = program_of(scene, {function}, way.way);
-  return way.passes ? program::optimized(std::move(program)) : program::drop_dead(program);
+  return way.passes ? program::optimized(std::move(program)) : program::drop_dead(std::move(program));
 }
 
 }  // namespace kanec::cli
