@@ -98,11 +98,14 @@ std::vector<std::string> words_in_any_order(Random& random) {
   return list;
 }
 
-// What files cannot say: a moment has no place, a load no reaction on its own body, a held attitude no rate.
+// What files cannot say: a moment has no place, a load no reaction on its own body, a held attitude no rate; and a
+// spring's length is not negative where it begins.
 void make_sayable(scene::Scene& scene) {
   for (scene::Load& load : scene.loads) {
     if (load.kind == scene::Load::Kind::moment) load.point.r = {};
     if (load.reaction == load.point.body) load.reaction = -1;
+    const bool is_spring = load.kind == scene::Load::Kind::spring;
+    if (is_spring && load.rest.kind == scene::Number::Kind::expression) load.rest = scene::Number::constant(0.3);
   }
   for (scene::Body& body : scene.bodies)
     if (body.joint.held) body.initial.omega = {};
