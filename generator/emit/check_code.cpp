@@ -52,6 +52,11 @@ class Reader {
     ++at_;
     return true;
   }
+  // Past what is of no interest.
+  void skip() {
+    if (now().kind == TokenKind::end) fail("more is missing at ", "the end");
+    ++at_;
+  }
   void expect(std::string_view text) {
     if (!take(text)) fail("'" + std::string(text) + "' is missing before ", now().text);
   }
@@ -113,7 +118,7 @@ class Reader {
     }
     if (is_declaration()) return declaration();
     if (is("shared") && is(".", 1) && is("=", 3)) return assignment_to_shared();
-    expression(";");
+    some_expression(";");
     expect(";");
   }
 
@@ -154,7 +159,7 @@ class Reader {
     const std::string_view name = take_word();
     scopes_.back().insert(name);  // again where it is specialised
     if (take("<")) skip_to_close(1);
-    while (!is("{") && !is(";")) ++at_;
+    while (!is("{") && !is(";")) skip();
     if (take(";")) return;
     if (name == "Shared") set_.clear();  // of another function
     named_block(name);
@@ -162,11 +167,11 @@ class Reader {
 
   // enum : int { a, b, count };
   void enumeration() {
-    while (!is("{")) ++at_;
-    ++at_;
+    while (!is("{")) skip();
+    skip();
     while (!take("}")) {
       declare(take_word());
-      while (!is(",") && !is("}")) ++at_;
+      while (!is(",") && !is("}")) skip();
       take(",");
     }
     expect(";");
@@ -174,13 +179,13 @@ class Reader {
 
   // Behind an opening angle bracket.
   void skip_to_close(int depth) {
-    for (; depth > 0; ++at_) depth += is("<") ? 1 : is(">") ? -1 : 0;
+    for (; depth > 0; skip()) depth += is("<") ? 1 : is(">") ? -1 : 0;
   }
 
   void parameters_of_template() {
     expect("<");
     while (!take(">")) {
-      ++at_;  // class, typename, int
+      skip();  // class, typename, int
       if (is_word()) pending_.insert(take_word());
       take(",");
     }
@@ -208,7 +213,7 @@ class Reader {
       if (take(":")) expression(")");
     }
     while (!take(")")) {
-      if (!take(";")) expression(is_before_close() ? ")" : ";");
+      if (!take(";")) some_expression(is_before_close() ? ")" : ";");
     }
     statement();
   }
@@ -333,10 +338,10 @@ class Reader {
     while (!take(")")) {
       const std::size_t end = at_ + behind_type();
       use_type(end);
-      if (is_word()) declare(take_word());
-      take(",");
+      declare(take_word());
+      if (!is(")")) expect(",");
     }
-    while (!is("{") && !is(";")) ++at_;
+    while (!is("{") && !is(";")) skip();
     if (!take(";")) block();
     scopes_.pop_back();
     function_ = before;
@@ -347,7 +352,7 @@ class Reader {
   void braces() {
     expect("{");
     while (!take("}"))
-      if (!take(",")) expression("}");
+      if (!take(",")) some_expression("}");
   }
 
   // Up to `stop` or a comma, semicolon or bracket that closes, whichever comes first; a comma ends it where it is asked
@@ -365,6 +370,13 @@ class Reader {
       }
       if (token.kind == TokenKind::word) word();
     }
+  }
+
+  // One that is not empty.
+  void some_expression(std::string_view stop) {
+    const std::size_t begin = at_;
+    expression(stop);
+    if (at_ == begin) fail("no expression before ", now().text);
   }
 
   void word() {
