@@ -71,6 +71,16 @@ TEST(CodeReadAgain, follows_results_from_piece_to_piece) {
   EXPECT_EQ(found(pieces(makes, takes) + "namespace g {\n" + pieces(makes, takes) + "}\n"), "");
 }
 
+// Whatever is missing, reading ends.
+TEST(CodeReadAgain, tells_code_that_ends_too_early) {
+  const std::string code = "struct F { enum : int { a, count }; };\ntemplate <class T>\nvoid f(const T* x, T* out) noexcept {\n"
+                           "  for (int i = 0; i < 2; ++i) out[i] = T(0);\n  const T a[2] = {x[0], x[F::a]};\n  out[0] = a[1];\n}";
+  EXPECT_EQ(found(code), "");
+  for (std::size_t length = code.find("void f") + 6; length < code.size(); ++length)
+    EXPECT_NE(found(code.substr(0, length)), "") << code.substr(0, length);
+  EXPECT_NE(found("struct F { enum : int { a"), "");
+}
+
 TEST(CodeReadAgain, reads_no_comment_and_no_text) {
   EXPECT_EQ(found(function("  // a = b\n  /* c = d */\n  const char* const a = \"e = f\";\n")), "");
 }
