@@ -82,8 +82,8 @@ TEST_F(Factor, a_sum_of_hundreds_of_groups_takes_out_the_factor_of_each) {
     const ex joint = letter("d");
     e += skew(joint) * letter("g") + skew(joint) * letter("h");
   }
-  EXPECT_EQ(block_products(e), 2 * n);
-  EXPECT_EQ(block_products(factored(e)), n);
+  EXPECT_EQ(block_products(e), 2 * groups);
+  EXPECT_EQ(block_products(factored(e)), groups);
 }
 
 }  // namespace
