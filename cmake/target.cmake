@@ -18,24 +18,48 @@ if(KANEC_FUZZ)
   target_compile_options(kanec_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets [PRECOMPILE heavy headers]): the link line is the whole
-# permission of a folder. Sources still include what they use; precompiled headers only save time.
+# kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets [PRECOMPILE heavy headers] [ALONE] [COLD]): the link line is the
+# whole permission of a folder. Sources still include what they use; that several are compiled as one (KANEC_UNITY) and
+# precompiled headers only save time. Names in a folder's unnamed namespaces differ for that. ALONE: one by one, where a
+# source is large by itself. COLD: nothing in it is hot, and a compiler is quicker that optimises less.
 function(kanec_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE;COLD" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
+  if(KANEC_UNITY AND NOT ARG_ALONE)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  endif()
   target_link_libraries(${name} PUBLIC kanec_flags ${ARG_LINK})
+  if(ARG_COLD)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   if(ARG_PRECOMPILE)
     target_precompile_headers(${name} PRIVATE ${ARG_PRECOMPILE})
   endif()
 endfunction()
 
-# kanec_test(NAME SOURCES ... LINK ...): one GoogleTest program; each test is known to ctest as NAME.Suite.test.
+# What all test programs share: GoogleTest's headers precompiled once, and where things are.
+function(kanec_test_flags name)
+  target_link_libraries(${name} PRIVATE kanec_flags Threads::Threads GTest::gtest_main GTest::gmock)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_definitions(${name} PRIVATE KANEC_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KANEC_BINARY_DIR="${CMAKE_BINARY_DIR}")
+endfunction()
+
+# kanec_test(NAME SOURCES ... LINK ... [OWN_FLAGS]): one GoogleTest program; each test is known to ctest as
+# NAME.Suite.test. OWN_FLAGS: compiled with others than the shared headers.
 function(kanec_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS" "" "SOURCES;LINK" ${ARGN})
+  if(NOT TARGET kanec_test_headers)
+    file(WRITE ${CMAKE_BINARY_DIR}/tests/headers.cpp "// Nothing but the headers that are precompiled.\n")
+    add_library(kanec_test_headers STATIC ${CMAKE_BINARY_DIR}/tests/headers.cpp)
+    kanec_test_flags(kanec_test_headers)
+    target_precompile_headers(kanec_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_link_libraries(${name} PRIVATE kanec_flags ${ARG_LINK} GTest::gtest_main GTest::gmock)
-  target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
-  target_compile_definitions(${name} PRIVATE KANEC_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KANEC_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  kanec_test_flags(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  if(NOT ARG_OWN_FLAGS)
+    target_precompile_headers(${name} REUSE_FROM kanec_test_headers)
+  endif()
   gtest_discover_tests(${name} TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()

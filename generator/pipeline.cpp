@@ -3,11 +3,11 @@
 
 #include <utility>
 
-#include "generator/candidates.hpp"
+#include "generator/choice/candidates.hpp"
+#include "generator/choice/reach.hpp"
+#include "generator/choice/regular.hpp"
 #include "generator/emit/header.hpp"
 #include "generator/emit/taylor.hpp"
-#include "generator/reach.hpp"
-#include "generator/regular.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/hash.hpp"
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "generator/choice/reductions.hpp"
+#include "generator/choice/requests.hpp"
 #include "generator/emit/model.hpp"
 #include "generator/program/program.hpp"
-#include "generator/reductions.hpp"
-#include "generator/requests.hpp"
 #include "generator/scene/scene.hpp"
 
 namespace kanec {

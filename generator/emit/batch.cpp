@@ -9,7 +9,7 @@
 namespace kanec::emit {
 namespace {
 
-std::string constant(const std::string& type, const std::string& name, const std::string& value) {
+std::string constant_of(const std::string& type, const std::string& name, const std::string& value) {
   return "  static constexpr " + type + " " + name + " = " + value + ";\n";
 }
 
@@ -20,10 +20,10 @@ std::string traits(const program::Program& program, const program::Function& fun
   const ArgumentList list(program, function, !used.inputs.empty());
   const Reads read = reads(program, function);
   std::string text = "struct " + function.name + " {\n";
-  text += constant("int", "n_out", std::to_string(function.n_out));
-  text += constant("bool", "reads_time", truth(read.time)) + constant("bool", "reads_x", truth(read.x)) +
-          constant("bool", "reads_y", truth(read.y)) + constant("bool", "reads_ydot", truth(read.ydot)) +
-          constant("bool", "reads_inputs", truth(list.takes_inputs()));
+  text += constant_of("int", "n_out", std::to_string(function.n_out));
+  text += constant_of("bool", "reads_time", truth(read.time)) + constant_of("bool", "reads_x", truth(read.x)) +
+          constant_of("bool", "reads_y", truth(read.y)) + constant_of("bool", "reads_ydot", truth(read.ydot)) +
+          constant_of("bool", "reads_inputs", truth(list.takes_inputs()));
   return text +
          "  // by itself, however many call it: long functions are compiled once\n"
          "  __attribute__((noinline)) static void call(const Prepared& prepared, [[maybe_unused]] const Lane& t,\n"

@@ -13,7 +13,7 @@
 namespace kanec::emit {
 namespace {
 
-using Names = std::unordered_set<std::string_view>;
+using NameSet = std::unordered_set<std::string_view>;
 
 template <std::size_t N>
 bool is_one_of(std::string_view word, const std::array<std::string_view, N>& list) {
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 7> qualifiers = {"const", "static", "cons
 constexpr std::array<std::string_view, 8> types = {"void", "bool", "char", "short", "int", "float", "double", "auto"};
 constexpr std::array<std::string_view, 13> statements = {"return", "case",   "default", "break",  "else", "if",   "switch",
                                                          "new",    "delete", "sizeof",  "public", "private", "noexcept"};
-constexpr std::array<std::string_view, 5> values = {"true", "false", "nullptr", "this", "static_cast"};
+constexpr std::array<std::string_view, 5> value_words = {"true", "false", "nullptr", "this", "static_cast"};
 
 class Reader {
  public:
@@ -77,9 +77,9 @@ class Reader {
   }
 
   void use(std::string_view name) const {
-    const auto has = [name](const Names& scope) { return scope.count(name) > 0; };
+    const auto has = [name](const NameSet& scope) { return scope.count(name) > 0; };
     if (std::any_of(scopes_.rbegin(), scopes_.rend(), has) || has(pending_) || is_one_of(name, qualifiers) ||
-        is_one_of(name, types) || is_one_of(name, statements) || is_one_of(name, values))
+        is_one_of(name, types) || is_one_of(name, statements) || is_one_of(name, value_words))
       return;
     fail("use before the definition of ", name);
   }
@@ -148,7 +148,7 @@ class Reader {
     scopes_.back().insert(name);  // a namespace may be opened again
     scopes_.emplace_back(std::exchange(pending_, {}));
     block();
-    Names& members = members_[name];
+    NameSet& members = members_[name];
     members.insert(scopes_.back().begin(), scopes_.back().end());
     scopes_.pop_back();
     take(";");
@@ -254,7 +254,7 @@ class Reader {
     const auto is_qualifier = [&] { return is_word(i) && is_one_of(now(i).text, qualifiers); };
     bool is_type = false;
     while (is_qualifier()) is_type |= now(i++).text == "unsigned";
-    if (is_word(i) && !is_one_of(now(i).text, statements) && !is_one_of(now(i).text, values)) {
+    if (is_word(i) && !is_one_of(now(i).text, statements) && !is_one_of(now(i).text, value_words)) {
       ++i;
       while (is("::", i) && is_word(i + 1)) i += 2;
       if (is("<", i)) {
@@ -331,7 +331,7 @@ class Reader {
 
   void function(std::string_view name) {
     declare(name);
-    Names inside = std::exchange(pending_, {});
+    NameSet inside = std::exchange(pending_, {});
     const std::string_view before = std::exchange(function_, name);
     scopes_.push_back(std::move(inside));
     expect("(");
@@ -395,10 +395,10 @@ class Reader {
 
   std::vector<Token> list_;
   std::size_t at_ = 0;
-  std::vector<Names> scopes_;
-  Names pending_;  // parameters of the template that follows
-  std::unordered_map<std::string_view, Names> members_;  // of namespaces and types
-  Names set_;      // fields of `shared`
+  std::vector<NameSet> scopes_;
+  NameSet pending_;  // parameters of the template that follows
+  std::unordered_map<std::string_view, NameSet> members_;  // of namespaces and types
+  NameSet set_;      // fields of `shared`
   std::string_view function_;
 };
 

@@ -11,7 +11,7 @@
 namespace kanec::emit {
 namespace {
 
-bool is_word(const std::string& name) {
+bool is_safe_word(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && name.find("__") == std::string::npos &&
          name.back() != '_' && std::all_of(name.begin(), name.end(), fits);
@@ -23,7 +23,7 @@ std::string by_body(const scene::Scene& scene, const std::string& name) {
   const std::size_t end = std::min(name.find('_', first), name.size());
   const std::string number = name.substr(first, end - first);
   const std::string& body = scene.bodies[std::stoul(number) - 1].name;
-  if (body == "body" + number || body == "body_" + number || !is_word(body)) return "";
+  if (body == "body" + number || body == "body_" + number || !is_safe_word(body)) return "";
   return body + "_" + name.substr(0, first - 1) + name.substr(end);
 }
 

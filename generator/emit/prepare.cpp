@@ -9,11 +9,10 @@
 namespace kanec::emit {
 namespace {
 
+using program::at;
 using program::Index;
 using program::Ref;
 using program::Stage;
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 // Operations on parameters that results of the state, or outputs, use directly.
 std::vector<Ref> fields(const program::Program& program, const std::vector<Stage>& stages) {

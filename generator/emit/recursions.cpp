@@ -18,16 +18,15 @@ namespace kanec::emit {
 namespace {
 
 using program::Group;
+using program::at;
 using program::Index;
 using program::Recursion;
 using program::Ref;
 using program::Series;
 using program::Stage;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 // Labels of the function's quantities, the first that a result has; of its negative "minus_<label>".
-std::unordered_map<Index, std::string> labels(const program::Function& function) {
+std::unordered_map<Index, std::string> labels_of(const program::Function& function) {
   std::unordered_map<Index, std::string> result;
   for (const program::Quantity& quantity : function.quantities)
     for (std::size_t i = 0; i < quantity.entries.size(); ++i) {
@@ -79,7 +78,7 @@ class Rows {
 class Recursions {
  public:
   Recursions(const program::Program& program, const program::Function& function, const Named& named)
-      : function_(function), named_(named), labels_(labels(function)), scope_(series_scope(program, function)) {
+      : function_(function), named_(named), labels_(labels_of(function)), scope_(series_scope(program, function)) {
     std::vector<bool> labelled(program.nodes.size(), false);
     for (const auto& [node, label] : labels_) labelled[at(node)] = true;
     series_ = program::series(program, function, labelled);

@@ -17,7 +17,7 @@ namespace {
 using program::Index;
 using program::Rolled;
 
-std::string block(const std::string& text, const std::string& indent) {
+std::string indented_block(const std::string& text, const std::string& indent) {
   std::string result;
   for (const std::string& line : wrapped(text, indent)) result += line + "\n";
   return result;
@@ -89,7 +89,7 @@ class Loops {
     if (list.empty()) return "";
     return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body has both\n"
            "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n"
-           "namespace frame {\n" + block("inline constexpr int " + list + ";", "    ") + "}  // namespace frame\n\n";
+           "namespace frame {\n" + indented_block("inline constexpr int " + list + ";", "    ") + "}  // namespace frame\n\n";
   }
 
   static std::string number_text() {
@@ -104,7 +104,7 @@ class Loops {
     if (entries.empty()) return "";
     std::string list;
     for (const std::string& entry : entries) list += (list.empty() ? "" : ", ") + entry;
-    return block("  const T " + name + "[] = {" + list + "};", "      ");
+    return indented_block("  const T " + name + "[] = {" + list + "};", "      ");
   }
 
   static std::vector<Index> in_place(const std::map<Index, Index>& places) {
@@ -123,7 +123,7 @@ class Loops {
   }
 
   std::string main_text(const std::string& space) const {
-    std::string text = "template <class T>\n" + block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
+    std::string text = "template <class T>\n" + indented_block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
     text += "  using namespace " + space + ";\n";
     text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays() +
             scope_.angles.declarations("  ") + scope_.angles.calls("");
@@ -138,7 +138,7 @@ class Loops {
       const std::string end = std::to_string(run.first + run.count);
       const bool has_rows = rolled_.classes[run.of].bodies.size() > 1;
       if (has_rows) text += "  for (int row = " + std::to_string(run.first) + "; row < " + end + "; ++row)\n";
-      text += block((has_rows ? "    " : "  ") + calls_[run.of], "        ");
+      text += indented_block((has_rows ? "    " : "  ") + calls_[run.of], "        ");
     }
     return text;
   }
@@ -152,10 +152,10 @@ class Loops {
     }
     std::string text = "  // kind of section, and row of its tables\n  static constexpr " +
                        std::string(largest < 256 ? "unsigned char" : "unsigned short") + " steps[][2] = {\n";
-    text += block("      " + list + "};", "      ");
+    text += indented_block("      " + list + "};", "      ");
     text += "  for (const auto& step : steps) {\n    [[maybe_unused]] const int row = step[1];\n    switch (step[0]) {\n";
     for (std::size_t c = 0; c < calls_.size(); ++c)
-      text += block("      case " + std::to_string(c) + ": " + calls_[c] + " break;", "          ");
+      text += indented_block("      case " + std::to_string(c) + ": " + calls_[c] + " break;", "          ");
     return text + "    }\n  }\n";
   }
 

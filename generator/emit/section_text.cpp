@@ -14,14 +14,13 @@
 namespace kanec::emit {
 namespace {
 
+using program::at;
 using program::Index;
 using program::Leaf;
 using program::LeafKind;
 using program::Ref;
 using program::SectionClass;
 using program::Stage;
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 std::string count(std::size_t n) { return std::to_string(n); }
 
@@ -34,7 +33,7 @@ std::string type_for(std::size_t largest) {
   return largest < 256 ? "unsigned char" : largest < 65536 ? "unsigned short" : "int";
 }
 
-std::string block(const std::string& text, const std::string& indent) {
+std::string block_text(const std::string& text, const std::string& indent) {
   std::string result;
   for (const std::string& line : wrapped(text, indent)) result += line + "\n";
   return result;
@@ -162,7 +161,7 @@ class Text {
 
   void load(std::size_t i, const std::string& name, const std::string& value) {
     body_.names.x[i] = names_.unique(name);
-    loads_ += block("  const T " + body_.names.x[i] + " = " + value + ";", "      ");
+    loads_ += block_text("  const T " + body_.names.x[i] + " = " + value + ";", "      ");
   }
 
   std::string variable(Index i, program::Group group) const {
@@ -280,7 +279,7 @@ class Text {
   // What was appended, with a comment before it.
   static std::string lines(Statements& statements, const std::string& comment) {
     const std::vector<std::string> made = statements.take_lines();
-    std::string text = made.empty() || comment.empty() ? "" : block(comment, "  //   ");
+    std::string text = made.empty() || comment.empty() ? "" : block_text(comment, "  //   ");
     for (const std::string& line : made) text += line + "\n";
     return text;
   }
@@ -305,7 +304,7 @@ class Text {
     const std::size_t n = kind_.bodies.size();
     if (kind_.bodies[0] < 0) return "// results\n";
     if (kind_.bodies[0] == 0) return "// whole system\n";
-    return block("// " + std::string(n > 1 ? "bodies " : "body ") + bodies +
+    return block_text("// " + std::string(n > 1 ? "bodies " : "body ") + bodies +
                      (kind_.pass == program::Pass::inward   ? " and what they carry"
                       : kind_.pass == program::Pass::solved ? ", solved"
                                                             : ""),
@@ -340,7 +339,7 @@ class Text {
       parameters += (parameters.empty() ? "" : ", ") + type + name;
       result_.arguments += (result_.arguments.empty() ? "" : ", ") + name;
     }
-    return "template <class T>\n" + block("[[gnu::noinline]] void " + result_.name + "(" + parameters + ") noexcept {", "    ");
+    return "template <class T>\n" + block_text("[[gnu::noinline]] void " + result_.name + "(" + parameters + ") noexcept {", "    ");
   }
 
   std::string using_text() const {
@@ -362,7 +361,7 @@ class Text {
     std::string names;
     for (const auto& [name, places] : all_columns()) names += (names.empty() ? "" : ", ") + name;
     std::string text;
-    if (!names.empty()) text = block("  const auto& [" + names + "] = " + result_.name + "_places[row];", "      ");
+    if (!names.empty()) text = block_text("  const auto& [" + names + "] = " + result_.name + "_places[row];", "      ");
     if (!numbers_.empty()) text += "  const auto& k = " + result_.name + "_numbers<Number<T>>[row];\n";
     return text;
   }
@@ -395,7 +394,7 @@ class Text {
   static std::string row(const Entry& entry, std::size_t n) {
     std::string text;
     for (std::size_t j = 0; j < n; ++j) text += (j == 0 ? "" : ", ") + entry(j);
-    return block("    {" + text + "},", "     ");
+    return block_text("    {" + text + "},", "     ");
   }
 
   const RolledScope& scope_;

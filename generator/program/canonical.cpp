@@ -11,8 +11,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
   const std::uint64_t product = (a ^ (b + 0x9e3779b97f4a7c15u + (a << 6))) * 0xff51afd7ed558ccdu;
   return product ^ (product >> 29);

@@ -11,8 +11,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 // A term as factor · base; a constant has no base.
 struct Multiple {
   Number factor = 1.0;

@@ -11,8 +11,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 int latency(const Node& node) {
   if (std::holds_alternative<Divide>(node)) return 14;
   if (std::holds_alternative<SquareRoot>(node)) return 18;

@@ -11,8 +11,6 @@ constexpr std::size_t bytes_an_operation = 9;
 constexpr std::size_t bytes_a_load = 5;  // often part of an operation
 constexpr std::size_t bytes_a_number = 8;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 // The function's operations in the order in which they are written.
 std::vector<Index> in_order(const Program& program, const Function& function) {
   const std::vector<Stage> stage = stages(program);

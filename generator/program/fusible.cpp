@@ -6,8 +6,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 }  // namespace
 
 std::vector<bool> fusible_products(const Program& program, const std::vector<Stage>& stages) {

@@ -7,7 +7,7 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Ref ref) { return 2 * static_cast<std::size_t>(ref.node) + (ref.negative ? 1 : 0); }
+std::size_t signed_at(Ref ref) { return 2 * static_cast<std::size_t>(ref.node) + (ref.negative ? 1 : 0); }
 
 Program checked(Program program) {
 #ifndef NDEBUG
@@ -45,14 +45,14 @@ Places taken_together(Program& program) {
     auto& places = result.emplace_back();
     places.reserve(function.outputs.size());
     for (const Ref output : function.outputs) {
-      Index& known = place[at(output)];
+      Index& known = place[signed_at(output)];
       if (known < 0) {
         known = static_cast<Index>(different.size());
         different.push_back(output);
       }
       places.push_back(known);
     }
-    for (const Ref output : different) place[at(output)] = -1;
+    for (const Ref output : different) place[signed_at(output)] = -1;
     function.outputs = std::move(different);
   }
   return result;

@@ -9,8 +9,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 Program ordered(Program program) {
   const std::vector<Stage> stage = stages(program);
   const std::vector<bool> fusible = fusible_products(program, stage);

@@ -21,8 +21,6 @@ Operands operands_of(const Op& op) {
     return {{0, 0, 0}, 0};
 }
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 Stage own_stage(const Node& node) {
   const auto* variable = std::get_if<Variable>(&node);
   if (variable == nullptr) return Stage::constant;

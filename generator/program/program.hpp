@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -13,6 +14,9 @@
 namespace kanec::program {
 
 using Index = std::int32_t;
+
+// Of a vector by operations.
+inline std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 // A result with a sign: negation costs no operation, sums and products carry it along.
 struct Ref {

@@ -16,8 +16,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 class Rolling {
  public:
   Rolling(const Program& program, const Function& function)

@@ -7,8 +7,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 class Cut {
  public:
   Cut(const Program& program, const Function& function, const std::vector<Stage>& stages)

@@ -10,8 +10,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 bool is_sum_of_two(const Node& node) {
   return std::holds_alternative<Add>(node) || std::holds_alternative<Subtract>(node);
 }

@@ -10,8 +10,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 // Two terms up to a common sign, and the sums that hold both. Terms from `first_pair` on are pairs taken out before.
 struct Pair {
   Index a, b;  // a < b

@@ -6,8 +6,6 @@
 namespace kanec::program {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 std::vector<bool> partial_sums(const Program& program) {
   const std::vector<Stage> stage = stages(program);
   std::vector<int> uses(program.nodes.size(), 0);

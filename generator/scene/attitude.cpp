@@ -11,7 +11,7 @@
 namespace kanec::scene {
 namespace {
 
-constexpr long double least_sine = 1e-9L;  // between directions that are told apart
+constexpr long double least_direction_sine = 1e-9L;  // between directions that are told apart
 
 long double initial_value(const Scene& scene, const Coordinate& coordinate) {
   if (coordinate.motion != Coordinate::Motion::prescribed) return coordinate.value;
@@ -50,7 +50,7 @@ struct Turning {
 Turning with(Turning turning, const Joint& joint, const Attitude& attitude) {
   for (std::size_t i = 0; i < joint.turns.size(); ++i) {
     if (joint.turns[i].motion == Coordinate::Motion::locked) continue;
-    if (turning.direction && norm(cross(*turning.direction, attitude.axes[i])) > least_sine) turning.several = true;
+    if (turning.direction && norm(cross(*turning.direction, attitude.axes[i])) > least_direction_sine) turning.several = true;
     turning.direction = attitude.axes[i];
   }
   return turning;

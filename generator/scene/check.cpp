@@ -26,7 +26,7 @@ std::string listed(const std::array<double, 3>& moments) {
   return shortest(moments[0]) + ", " + shortest(moments[1]) + ", " + shortest(moments[2]);
 }
 
-std::string entries(const Symmetric& inertia, const Symbols& symbols) {
+std::string entries_text(const Symmetric& inertia, const Symbols& symbols) {
   const auto entry = [&symbols](const char* name, const Number& number) {
     return std::string(name) + " " + symbols.shown(number);
   };
@@ -89,7 +89,7 @@ void check_inertia(const Symmetric& inertia, const Symbols& symbols, const Place
   const std::array<double, 3> moments = principal_moments(inertia, symbols);
   const bool negative = moments[0] < -zero_moment * moments[2] || moments[2] < 0;
   if (negative || (moments[2] != 0 && moments[2] < least_mass))
-    fail(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) + ")",
+    fail(place, "principal moments " + listed(moments) + " (entries " + entries_text(inertia, symbols) + ")",
          negative ? "a positive definite matrix; one of these is negative" : "larger ones, or zeros");
 }
 
@@ -98,7 +98,7 @@ std::optional<std::string> inertia_warning(const Symmetric& inertia, bool one_di
   const std::array<double, 3> moments = principal_moments(inertia, symbols);
   if (moments[0] + moments[1] >= moments[2] * (1 - triangle_margin)) return std::nullopt;
   if (one_direction && moments[1] <= zero_moment * moments[2]) return std::nullopt;
-  return remark(place, "principal moments " + listed(moments) + " (entries " + entries(inertia, symbols) +
+  return remark(place, "principal moments " + listed(moments) + " (entries " + entries_text(inertia, symbols) +
                            ") violate the triangle inequality: the largest exceeds the sum of the others, as in no "
                            "rigid body; modelled as written");
 }

@@ -27,11 +27,11 @@ std::vector<Component> components(const Scene& scene, int attitude_components) {
 }
 
 // Letters of an attitude, a turn and a slide.
-using Letters = std::array<const char*, 3>;
-constexpr Letters letters = {"eps", "theta", "s"};
-constexpr Letters speed_letters = {"omega", "thetadot", "sdot"};
+using LetterRow = std::array<const char*, 3>;
+constexpr LetterRow coordinate_letters = {"eps", "theta", "s"};
+constexpr LetterRow speed_letters = {"omega", "thetadot", "sdot"};
 
-std::string name(const Letters& of, const std::string& owner, const Component& component) {
+std::string name(const LetterRow& of, const std::string& owner, const Component& component) {
   const std::string out = std::string(of[static_cast<std::size_t>(component.kind)]) + "_" + owner;
   return component.count == 1 ? out : out + "_" + std::to_string(component.index + 1);
 }
@@ -47,11 +47,11 @@ std::vector<Component> components(const Scene& scene) { return components(scene,
 std::vector<Component> speed_components(const Scene& scene) { return components(scene, 3); }
 
 std::string coordinate_name(const Component& component) {
-  return name(letters, std::to_string(component.body), component);
+  return name(coordinate_letters, std::to_string(component.body), component);
 }
 
 std::string coordinate_name_by_body(const Scene& scene, const Component& component) {
-  return name(letters, body_of(scene, component).name, component);
+  return name(coordinate_letters, body_of(scene, component).name, component);
 }
 
 std::string speed_name(const Component& component) {

@@ -8,21 +8,21 @@
 namespace kanec::scene {
 namespace {
 
-using Keys = std::vector<std::string>;
+using KeyList = std::vector<std::string>;
 
-Keys joined(Keys a, const Keys& b) {
+KeyList joined(KeyList a, const KeyList& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-const Keys& frames() {
-  static const Keys keys = {"frame_on_lower", "frame_on_body"};
+const KeyList& frames() {
+  static const KeyList keys = {"frame_on_lower", "frame_on_body"};
   return keys;
 }
 
 // A load along the only coordinate.
-const Keys& load() {
-  static const Keys keys = {"effort", "stiffness", "damping", "rest"};
+const KeyList& load() {
+  static const KeyList keys = {"effort", "stiffness", "damping", "rest"};
   return keys;
 }
 
@@ -31,14 +31,14 @@ const Keys& load() {
 bool JointKind::takes(const std::string& key) const { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
 
 std::vector<std::string> JointKind::initial_keys() const {
-  Keys out;
+  KeyList out;
   if (ball) out = {"eps", "omega"};
   if (turns > 0) out = {"theta", "thetadot"};
   return slides > 0 ? joined(out, {"s", "sdot"}) : out;
 }
 
 std::vector<std::string> JointKind::motion_keys() const {
-  Keys out;
+  KeyList out;
   if (ball) out = {"eps"};
   if (turns > 0) out = {"theta"};
   return slides > 0 ? joined(out, {"s"}) : out;
@@ -69,7 +69,7 @@ const JointKind& joint_kind(const std::string& name) {
 }
 
 const std::vector<std::string>& joint_keys() {
-  static const Keys keys = joined({"axis", "axes", "pitch"}, joined(frames(), load()));
+  static const KeyList keys = joined({"axis", "axes", "pitch"}, joined(frames(), load()));
   return keys;
 }
 

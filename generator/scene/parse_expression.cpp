@@ -12,7 +12,7 @@
 namespace kanec::scene {
 namespace {
 
-constexpr double largest = 1e60;  // as of the numbers of a scene
+constexpr double largest_number = 1e60;  // as of the numbers of a scene
 using Kind = ExpressionNode::Kind;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -194,7 +194,7 @@ class Parser {
     token_.type = Token::Type::number;
     token_.text = text_.substr(token_.begin, std::max<std::size_t>(1, static_cast<std::size_t>(end - begin)));
     // a number too small for a double is zero to every purpose, but its digits were meant: refused as well
-    if (error != std::errc() || token_.value > largest) refuse("a number, in magnitude at most " + shortest(largest));
+    if (error != std::errc() || token_.value > largest_number) refuse("a number, in magnitude at most " + shortest(largest_number));
   }
 
   void name() {

@@ -7,7 +7,7 @@
 namespace kanec::scene {
 namespace {
 
-constexpr auto rule = "{uniform = [least, largest]} or {normal = [mean, standard deviation]}";
+constexpr auto drawing_rule = "{uniform = [least, largest]} or {normal = [mean, standard deviation]}";
 
 void check_draw(const Draw& draw, const Node& node) {
   if (draw.kind == Draw::Kind::uniform && draw.a > draw.b)
@@ -20,7 +20,7 @@ Draw read_draw(const Table::Entry& entry) {
   const Table table(entry.node, "ensemble." + entry.key + ".");
   table.only({"uniform", "normal"});
   const std::vector<Table::Entry> entries = table.entries();
-  if (entries.size() != 1) entry.node.refuse(rule);
+  if (entries.size() != 1) entry.node.refuse(drawing_rule);
   const std::vector<Node> numbers = entries[0].node.list(2, "a list of 2 numbers");
   const Draw draw{entry.key, entries[0].key == "uniform" ? Draw::Kind::uniform : Draw::Kind::normal, numbers[0].real(),
                   numbers[1].real()};

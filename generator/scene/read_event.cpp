@@ -23,9 +23,9 @@ std::size_t choice(const Table& table, const char* key, const Words& words, std:
 }
 
 bool reads_motion(const Expression& expression) {
-  using Kind = ExpressionNode::Kind;
+  using NodeKind = ExpressionNode::Kind;
   return std::any_of(expression.nodes.begin(), expression.nodes.end(), [](const ExpressionNode& node) {
-    return node.kind == Kind::time || node.kind == Kind::coordinate || node.kind == Kind::speed;
+    return node.kind == NodeKind::time || node.kind == NodeKind::coordinate || node.kind == NodeKind::speed;
   });
 }
 

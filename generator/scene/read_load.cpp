@@ -10,18 +10,18 @@
 namespace kanec::scene {
 namespace {
 
-using Kind = Load::Kind;
-using Keys = std::vector<std::string>;
+using LoadKind = Load::Kind;
+using KeyWords = std::vector<std::string>;
 
 // Of each kind of load, in the order of Load::Kind.
-const std::vector<Keys> keys_of_kinds = {
+const std::vector<KeyWords> keys_of_kinds = {
     {"name", "kind", "body", "r", "point", "vector", "axes", "reaction"},
     {"name", "kind", "body", "vector", "axes", "reaction"},
     {"name", "kind", "coordinate", "effort", "stiffness", "damping", "rest"},
     {"name", "kind", "body", "r", "point", "other_body", "other_r", "other_point", "stiffness", "damping", "rest"}};
 
 // The place in `words` of the text at `node`, which must be one of them.
-std::size_t choice(const Node& node, const Keys& words) {
+std::size_t chosen_word(const Node& node, const KeyWords& words) {
   const std::string word = node.text(one_of(words, ""));
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end()) node.refuse(one_of(words, word));
@@ -76,16 +76,16 @@ class LoadReader {
     load_.name = name;
     load_.kind = read_kind();
     switch (load_.kind) {
-      case Kind::force:
+      case LoadKind::force:
         force();
         break;
-      case Kind::moment:
+      case LoadKind::moment:
         moment();
         break;
-      case Kind::joint:
+      case LoadKind::joint:
         joint();
         break;
-      case Kind::spring:
+      case LoadKind::spring:
         spring();
         break;
     }
@@ -93,11 +93,11 @@ class LoadReader {
   }
 
  private:
-  Kind read_kind() {
-    const Keys kinds = {"force", "moment", "joint", "spring"};
-    const std::size_t kind = choice(table_.at("kind", one_of(kinds, "")), kinds);
+  LoadKind read_kind() {
+    const KeyWords kinds = {"force", "moment", "joint", "spring"};
+    const std::size_t kind = chosen_word(table_.at("kind", one_of(kinds, "")), kinds);
     table_.only(keys_of_kinds[kind]);
-    return static_cast<Kind>(kind);
+    return static_cast<LoadKind>(kind);
   }
 
   void force() {
@@ -113,7 +113,7 @@ class LoadReader {
   void vector() {
     load_.vector = magnitudes_.vector(table_.at("vector", "a list of 3 numbers, names or expressions"));
     if (const auto axes = table_.find("axes"))
-      load_.axes = static_cast<Axes>(choice(*axes, {"inertial", "body", "lower"}));
+      load_.axes = static_cast<Axes>(chosen_word(*axes, {"inertial", "body", "lower"}));
     if (load_.point.body == 0)
       fail(table_.place(), "a load on the inertial frame, which nothing moves", "the name of a body");
     const auto reaction = table_.find("reaction");
@@ -168,10 +168,10 @@ void read_body_loads(const BodyTable& from, int k, Magnitudes& magnitudes, Scene
   Body& body = scene.bodies[static_cast<std::size_t>(k - 1)];
   if (const auto force = table.find("force")) body.force = magnitudes.vector(*force);
   if (const auto moment = table.find("moment")) body.moment = magnitudes.vector(*moment);
-  const Keys keys = {"effort", "stiffness", "damping", "rest"};
+  const KeyWords keys = {"effort", "stiffness", "damping", "rest"};
   if (std::none_of(keys.begin(), keys.end(), [&](const std::string& key) { return table.find(key); })) return;
   Load load;
-  load.kind = Kind::joint;
+  load.kind = LoadKind::joint;
   load.name = from.name;
   load.point.body = k;
   load.turn = from.kind->turns == 1;

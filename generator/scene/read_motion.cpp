@@ -17,7 +17,7 @@ constexpr auto motion_entry =
     "a number (locked there), an expression of t and parameters in quotes (prescribed), or \"free\"";
 
 // Refuses keys that no joint has as unknown ones, and those of other joints with what this one has.
-void check_keys(const Table& table, const std::vector<std::string>& own, const std::vector<std::string>& all,
+void check_motion_keys(const Table& table, const std::vector<std::string>& own, const std::vector<std::string>& all,
                 const JointKind& kind) {
   for (const auto& [key, node] : table.entries()) {
     if (std::find(own.begin(), own.end(), key) != own.end()) continue;
@@ -121,7 +121,7 @@ void read_initial(const Table& body_table, const JointKind& kind, Body& body, st
   const std::optional<Node> node = body_table.find("initial");
   if (!node) return;
   const Table table(*node, "initial.");
-  check_keys(table, kind.initial_keys(), {"eps", "omega", "theta", "thetadot", "s", "sdot"}, kind);
+  check_motion_keys(table, kind.initial_keys(), {"eps", "omega", "theta", "thetadot", "s", "sdot"}, kind);
   read_numbers(table, "eps", body.initial.eps);
   read_numbers(table, "omega", body.initial.omega);
   read_numbers(table, "theta", body.joint.turns, &Coordinate::value);
@@ -136,7 +136,7 @@ void read_motion(const Table& body_table, const JointKind& kind, int k, const st
   const std::optional<Node> node = body_table.find("motion");
   if (!node) return;
   const Table table(*node, "motion.");
-  check_keys(table, kind.motion_keys(), {"eps", "theta", "s"}, kind);
+  check_motion_keys(table, kind.motion_keys(), {"eps", "theta", "s"}, kind);
   Body& body = scene.bodies[static_cast<std::size_t>(k - 1)];
   if (const auto eps = table.find("eps")) hold(*eps, body);
   MotionReader reader(table, scene, names);

@@ -13,7 +13,7 @@ constexpr long double least_independence = 1e-9L;  // sine, or volume of three u
 // Of a moment to the sum of all, with m r²: below, elimination in 64 bits cannot tell it from zero.
 constexpr long double elimination_noise = 1e-18L;
 // Of a moment to the sum of the principal ones where a ball leaves it alone: below, double precision has no use for it.
-constexpr long double zero_moment = 1e-14L;
+constexpr long double zero_moment_long = 1e-14L;
 
 // Mass, mass centre and inertia of one body, inertial axes at the start.
 struct Mass {
@@ -144,7 +144,7 @@ class Checker {
     if (!speed.rotates) return elimination_noise * mass.m;
     const long double pitch = scene_.bodies[static_cast<std::size_t>(k - 1)].joint.pitch;
     const long double all = mass.trace() + mass.m * (dot(mass.r, mass.r) + pitch * pitch);
-    return speed.component.kind == Component::Kind::attitude ? zero_moment * mass.trace() + elimination_noise * all
+    return speed.component.kind == Component::Kind::attitude ? zero_moment_long * mass.trace() + elimination_noise * all
                                                              : elimination_noise * all;
   }
 

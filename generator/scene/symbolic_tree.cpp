@@ -56,7 +56,7 @@ Body symbolic_body(Scene& scene, int k, int lower) {
   return body;
 }
 
-std::string joined(const std::vector<int>& lower, const char* separator) {
+std::string joined_numbers(const std::vector<int>& lower, const char* separator) {
   std::string text;
   for (const int l : lower) text += (text.empty() ? "" : separator) + std::to_string(l);
   return text;
@@ -64,10 +64,10 @@ std::string joined(const std::vector<int>& lower, const char* separator) {
 
 std::string tree_name(const std::vector<int>& lower) {
   if (lower.size() > longest_spelled)
-    return "tree_" + std::to_string(lower.size()) + "_" + fingerprint(joined(lower, ","));
+    return "tree_" + std::to_string(lower.size()) + "_" + fingerprint(joined_numbers(lower, ","));
   // run together, "11" would be both 1, 1 and 11
   const bool long_numbers = std::any_of(lower.begin(), lower.end(), [](int l) { return l > 9; });
-  return "tree_" + joined(lower, long_numbers ? "_" : "");
+  return "tree_" + joined_numbers(lower, long_numbers ? "_" : "");
 }
 
 }  // namespace

@@ -63,12 +63,12 @@ bool is_negative(const Term& term) {
 }
 
 // A sum of negative terms as the negative of a sum of positive ones.
-ex factored(std::vector<Term> terms) {
+ex factored_terms(std::vector<Term> terms) {
   const Common common = most_common(terms);
   if (common.count < 2) return sum(terms);
   if (std::all_of(terms.begin(), terms.end(), is_negative)) {
     for (Term& term : terms) term.scalar = -term.scalar;
-    return -factored(terms);
+    return -factored_terms(terms);
   }
   std::vector<Term> inside;
   std::vector<Term> rest;
@@ -78,12 +78,12 @@ ex factored(std::vector<Term> terms) {
     else
       rest.push_back(term);
   }
-  const ex other = factored(inside);
-  return (common.end == End::left ? common.factor * other : other * common.factor) + factored(rest);
+  const ex other = factored_terms(inside);
+  return (common.end == End::left ? common.factor * other : other * common.factor) + factored_terms(rest);
 }
 
 }  // namespace
 
-ex factored(const ex& e) { return factored(expanded(e)); }
+ex factored(const ex& e) { return factored_terms(expanded(e)); }
 
 }  // namespace kanec::symbolic

@@ -8,8 +8,6 @@
 
 namespace kanec::symbolic {
 
-using scene::Axis;
-using scene::Coordinate;
 using scene::Joint;
 using scene::Rotation;
 
@@ -34,7 +32,7 @@ std::optional<std::size_t> source_of(const Rotation& a, std::size_t i) {
 }
 
 // Takes what is along a coordinate axis out of an offset.
-Offset taken_along(const Axis& axis, Offset& offset) {
+Offset taken_along(const scene::Axis& axis, Offset& offset) {
   Offset along;
   const auto i = static_cast<std::size_t>(coordinate_axis(axis));
   for (OffsetTerm& term : offset) {
@@ -49,7 +47,7 @@ Offset taken_along(const Axis& axis, Offset& offset) {
   return along;
 }
 
-scene::Vector constants(const Axis& axis, double factor) {
+scene::Vector constants(const scene::Axis& axis, double factor) {
   return {scene::Number::constant(axis[0] * factor), scene::Number::constant(axis[1] * factor),
           scene::Number::constant(axis[2] * factor)};
 }
@@ -72,7 +70,7 @@ class Builder {
   }
 
  private:
-  bool moves(const Coordinate& c) const { return c.motion != Coordinate::Motion::locked || !reductions_.drop_locks; }
+  bool moves(const scene::Coordinate& c) const { return c.motion != scene::Coordinate::Motion::locked || !reductions_.drop_locks; }
 
   void add(int k) {
     const auto at = static_cast<std::size_t>(k - 1);
@@ -96,14 +94,14 @@ class Builder {
   std::vector<Freedom> take_slides(const Joint& joint, const Rotation& orientation, Offset& offset) const {
     std::vector<Freedom> slides;
     for (std::size_t i = 0; i < joint.slides.size(); ++i) {
-      const Coordinate& slide = joint.slides[i];
+      const scene::Coordinate& slide = joint.slides[i];
       if (moves(slide))
         slides.push_back({Freedom::Kind::slide, static_cast<int>(i), turned(orientation, slide.axis)});
       else if (slide.value != 0)
         add_term(offset, orientation, constants(slide.axis, slide.value));
     }
     const auto is_free_along = [&](std::size_t i) {
-      return joint.slides[i].motion == Coordinate::Motion::free && slides[i].axis == scene::no_rotation[i];
+      return joint.slides[i].motion == scene::Coordinate::Motion::free && slides[i].axis == scene::no_rotation[i];
     };
     if (slides.size() == 3 && is_free_along(0) && is_free_along(1) && is_free_along(2))
       return {{Freedom::Kind::translation, 0, {}}};
@@ -128,8 +126,8 @@ class Builder {
     Rotation constant = orientation;
     std::vector<Freedom> turns;
     for (std::size_t i = 0; i < joint.turns.size(); ++i) {
-      const Coordinate& turn = joint.turns[i];
-      const Axis axis = turned(constant, turn.axis);
+      const scene::Coordinate& turn = joint.turns[i];
+      const scene::Axis axis = turned(constant, turn.axis);
       if (moves(turn)) {
         turns.push_back({Freedom::Kind::turn, static_cast<int>(i), axis});
         continue;
@@ -203,7 +201,7 @@ class Builder {
 
 }  // namespace
 
-int coordinate_axis(const Axis& a) {
+int coordinate_axis(const scene::Axis& a) {
   if ((a[0] != 0) + (a[1] != 0) + (a[2] != 0) != 1) return -1;
   return a[0] != 0 ? 0 : a[1] != 0 ? 1 : 2;
 }
@@ -221,8 +219,8 @@ Rotation product(const Rotation& a, const Rotation& b) {
   return result;
 }
 
-Axis turned(const Rotation& a, const Axis& v) {
-  Axis result;
+scene::Axis turned(const Rotation& a, const scene::Axis& v) {
+  scene::Axis result;
   for (std::size_t i = 0; i < 3; ++i) {
     long double entry = 0;
     for (std::size_t l = 0; l < 3; ++l) entry += static_cast<long double>(a[i][l]) * v[l];
@@ -232,7 +230,7 @@ Axis turned(const Rotation& a, const Axis& v) {
 }
 
 // 1 + sin ã + (1 - cos) ã ã.
-Rotation rotation_about(const Axis& axis, double angle) {
+Rotation rotation_about(const scene::Axis& axis, double angle) {
   const long double s = std::sin(static_cast<long double>(angle));
   const long double half = std::sin(static_cast<long double>(angle) / 2);
   const long double versine = 2 * half * half;
@@ -264,8 +262,8 @@ bool Mechanism::has_balls() const {
 
 namespace {
 
-std::optional<Axis> constants_of(const scene::Vector& numbers) {
-  Axis result;
+std::optional<scene::Axis> constants_of(const scene::Vector& numbers) {
+  scene::Axis result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (numbers[i].kind != scene::Number::Kind::constant) return std::nullopt;
     result[i] = numbers[i].value;
@@ -273,17 +271,17 @@ std::optional<Axis> constants_of(const scene::Vector& numbers) {
   return result;
 }
 
-void add_scaled(Axis& sum, double factor, const Axis& a) {
+void add_scaled(scene::Axis& sum, double factor, const scene::Axis& a) {
   for (std::size_t i = 0; i < 3; ++i) sum[i] += factor * a[i];
 }
 
 // The mass centre of a body from its link's origin, link axes, where it is made of constants alone.
-std::optional<Axis> centre_of(const scene::Body& body, const BodyPlace& place) {
-  const std::optional<Axis> r = constants_of(body.r);
+std::optional<scene::Axis> centre_of(const scene::Body& body, const BodyPlace& place) {
+  const std::optional<scene::Axis> r = constants_of(body.r);
   if (!r || body.mass.kind != scene::Number::Kind::constant) return std::nullopt;
-  Axis centre = turned(place.orientation, *r);
+  scene::Axis centre = turned(place.orientation, *r);
   for (const OffsetTerm& term : place.offset) {
-    const std::optional<Axis> numbers = constants_of(term.numbers);
+    const std::optional<scene::Axis> numbers = constants_of(term.numbers);
     if (!numbers) return std::nullopt;
     add_scaled(centre, 1.0, turned(term.orientation, *numbers));
   }
@@ -291,12 +289,12 @@ std::optional<Axis> centre_of(const scene::Body& body, const BodyPlace& place) {
 }
 
 // Of all bodies on a link; nothing where that is not constant.
-std::optional<Axis> centre_of(const scene::Scene& scene, const Mechanism& mechanism, const std::vector<int>& bodies) {
-  Axis moment{};
+std::optional<scene::Axis> centre_of(const scene::Scene& scene, const Mechanism& mechanism, const std::vector<int>& bodies) {
+  scene::Axis moment{};
   double mass = 0.0;
   for (const int k : bodies) {
     const scene::Body& body = scene.bodies[static_cast<std::size_t>(k - 1)];
-    const std::optional<Axis> centre = centre_of(body, mechanism.body(k));
+    const std::optional<scene::Axis> centre = centre_of(body, mechanism.body(k));
     if (!centre) return std::nullopt;
     mass += body.mass.value;
     add_scaled(moment, body.mass.value, *centre);
@@ -313,7 +311,7 @@ void turn_axes(const scene::Scene& scene, Mechanism& mechanism, int j) {
   const int along = link.turning == Link::Turning::turn ? coordinate_axis(link.freedoms.front().axis) : -1;
   if (along < 0 || !is_identity(link.zero) || !mechanism.children(j).empty()) return;
   const std::vector<int> bodies = mechanism.carried(j);
-  std::optional<Axis> centre = centre_of(scene, mechanism, bodies);
+  std::optional<scene::Axis> centre = centre_of(scene, mechanism, bodies);
   const auto i = static_cast<std::size_t>(along), second = (i + 1) % 3, third = (i + 2) % 3;
   if (!centre || (*centre)[second] == 0 || (*centre)[third] == 0) return;
   const double angle = std::atan2((*centre)[third], (*centre)[second]);

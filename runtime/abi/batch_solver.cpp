@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t piece_states = 256;  // what a thread takes at once: some ten microseconds
 
-std::span<const double> list(const double* values, int count) { return {values, static_cast<std::size_t>(count)}; }
+std::span<const double> batch_list(const double* values, int count) { return {values, static_cast<std::size_t>(count)}; }
 
 void require_count(const char* what, std::size_t found, int wanted) {
   if (found != static_cast<std::size_t>(wanted))
@@ -43,8 +43,8 @@ BatchSolver<Real>::BatchSolver(const kanec_batch& batch, int threads)
   if (batch.alignment > alignof(Line)) throw LoadError("a batch with an alignment of more than 64 bytes");
   while (static_cast<int>(scratch_.size()) < workers_->size())
     scratch_.push_back(std::make_unique<Line[]>(batch.scratch_size / sizeof(Line) + 1));
-  set_parameters(list(model().parameter_defaults, model().n_parameters));
-  set_inputs(list(model().input_defaults, model().n_inputs));
+  set_parameters(batch_list(model().parameter_defaults, model().n_parameters));
+  set_inputs(batch_list(model().input_defaults, model().n_inputs));
 }
 
 template <class Real>

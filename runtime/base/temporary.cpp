@@ -33,7 +33,7 @@ std::string chance() {
   return fingerprint({reinterpret_cast<const char*>(&number), sizeof number}).substr(0, digits);
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path temporary_folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 Descriptor new_file(const fs::path& path) {
   return Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
@@ -51,7 +51,7 @@ Descriptor new_folder(const fs::path& path) {
 
 // Another process that clears away may take it for abandoned before it is locked: then there is another one.
 TemporaryFile make_locked(const fs::path& path, Descriptor (*make)(const fs::path&)) {
-  clear_abandoned(folder_of(path));
+  clear_abandoned(temporary_folder_of(path));
   for (int tries = 0; tries < 100; ++tries) {
     fs::path made = path;
     made.replace_filename(temporary_name(path.filename().string()));

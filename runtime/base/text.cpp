@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/base/text.hpp"
 
+#include <cstdlib>
+#include <cmath>
+#include <cctype>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -50,6 +53,13 @@ std::string shortest(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
+}
+
+std::optional<double> finite_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_whole = !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == &text.back() + 1;
+  return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 bool is_identifier(std::string_view name) {

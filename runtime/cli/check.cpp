@@ -5,16 +5,19 @@
 #include <cstdint>
 
 #include "runtime/base/error.hpp"
-#include "runtime/cli/agreement.hpp"
+#include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/kanec.hpp"
 #include "runtime/cli/numbers.hpp"
-#include "runtime/cli/progress.hpp"
-#include "runtime/cli/samples.hpp"
 #include "runtime/cli/scene_argument.hpp"
-#include "runtime/cli/table.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/terminal/interrupt.hpp"
+#include "runtime/terminal/output.hpp"
+#include "runtime/terminal/progress.hpp"
+#include "runtime/text/json.hpp"
+#include "runtime/text/table.hpp"
+#include "runtime/verify/agreement.hpp"
+#include "runtime/verify/samples.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -38,7 +41,7 @@ conditioned that the generic path loses 1e-13 and more in double, four times its
 
 struct Options {
   SceneArgument scene;
-  BuildArguments build;
+  BuildOptions build;
   int states = 32;
   std::uint64_t seed = 1;
   std::vector<std::string> functions;
@@ -116,7 +119,7 @@ Found found(const scene::Scene& scene, const Options& options) {
                       brief(options.bounds.generic), text_of(list, options.bounds)),
           failure,
           {{"model", scene.name},
-           {"hash", model.generated.hash},
+           {"hash", model.hash()},
            {"states", options.states},
            {"seed", options.seed},
            {"bounds", {{"ulps", options.bounds.ulps}, {"generic", options.bounds.generic}}},

@@ -7,11 +7,13 @@
 #include "generator/emit/tables.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/model.hpp"
-#include "runtime/cli/output.hpp"
-#include "runtime/cli/reductions.hpp"
 #include "runtime/cli/scene_argument.hpp"
+#include "runtime/model/model.hpp"
+#include "runtime/model/reductions.hpp"
+#include "runtime/terminal/output.hpp"
+#include "runtime/text/json.hpp"
 
 namespace kanec::cli {
 namespace {

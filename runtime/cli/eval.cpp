@@ -6,17 +6,21 @@
 #include <cmath>
 #include <span>
 
-#include "generator/states.hpp"
+#include "generator/scene/states.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
+#include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/model.hpp"
-#include "runtime/cli/paths.hpp"
-#include "runtime/cli/result_layout.hpp"
 #include "runtime/cli/scene_argument.hpp"
-#include "runtime/cli/settings.hpp"
-#include "runtime/cli/state_layout.hpp"
+#include "runtime/model/evaluate.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/model/model.hpp"
+#include "runtime/model/result_layout.hpp"
+#include "runtime/model/settings.hpp"
+#include "runtime/model/state_layout.hpp"
+#include "runtime/terminal/output.hpp"
+#include "runtime/text/json.hpp"
+#include "runtime/verify/paths.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -39,7 +43,7 @@ Three paths to a result: emitted (the compiled code), precise (the same program 
 
 struct Options {
   SceneArgument scene;
-  BuildArguments build;
+  BuildOptions build;
   std::vector<std::string> settings;
   std::string function, input, path = "emitted";
   bool show_template = false;

@@ -7,18 +7,20 @@
 #include <filesystem>
 #include <optional>
 
+#include "generator/choice/reach.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/reach.hpp"
 #include "kanec_abi_text.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/fit.hpp"
+#include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/dump.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/model.hpp"
-#include "runtime/cli/output.hpp"
 #include "runtime/cli/scene_argument.hpp"
+#include "runtime/model/dump.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/model/model.hpp"
+#include "runtime/run/needed_functions.hpp"
+#include "runtime/terminal/output.hpp"
 
 namespace kanec::cli {
 namespace {

@@ -15,11 +15,11 @@
 #include "generator/pipeline.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
-#include "runtime/base/text.hpp"
 #include "runtime/base/temporary.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/interrupt.hpp"
-#include "runtime/cli/output.hpp"
+#include "runtime/terminal/interrupt.hpp"
+#include "runtime/terminal/output.hpp"
 
 namespace kanec::cli {
 namespace {

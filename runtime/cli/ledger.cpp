@@ -1,118 +1,79 @@
+// kanec ledger: the operations of all functions of many scenes.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/ledger.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-
-#include "generator/pipeline.hpp"
-#include "generator/program/critical_path.hpp"
-#include "runtime/base/fit.hpp"
-#include "runtime/cli/dump.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/output.hpp"
+#include "generator/scene/read.hpp"
+#include "runtime/base/error.hpp"
+#include "runtime/base/files.hpp"
+#include "runtime/cli/commands.hpp"
+#include "runtime/cli/kanec.hpp"
+#include "runtime/cli/scene_argument.hpp"
+#include "runtime/model/costs.hpp"
+#include "runtime/model/scene_files.hpp"
+#include "runtime/terminal/interrupt.hpp"
+#include "runtime/terminal/progress.hpp"
+#include "runtime/terminal/output.hpp"
+#include "runtime/text/json.hpp"
 
 namespace kanec::cli {
 namespace {
 
-// What an overview shows of each scene.
-const std::vector<std::string> overview_functions = {"accelerations", "residual", "mass_matrix", "forcing",
-                                                     "kinematics"};
+constexpr auto footer = R"(Example: what the shipped scenes cost, as the page that the documentation links
+  kanec ledger models --markdown -o docs/ledger.md
 
-std::vector<TextRow> rows_of(const SceneCost& cost) {
-  std::vector<TextRow> rows;
-  for (const FunctionCost& function : cost.functions)
-    rows.push_back(ledger_row(function.name, function.ledger, std::to_string(function.results)));
-  if (cost.prepare != program::Ledger{}) rows.push_back(ledger_row("prepare (once)", cost.prepare, ""));
-  return rows;
-}
+A scene is a scene.toml or a folder that holds one; a folder of such folders means all of them, by name. Without any,
+those under models/. Counted are the functions that a scene asks for, or the usual ones; with --all every function that
+it can have, derivatives included. Nothing is compiled. In the JSON a list of scenes.)";
 
-std::string operations_of(const SceneCost& cost, const std::string& name) {
-  for (const FunctionCost& function : cost.functions)
-    if (function.name == name) return std::to_string(function.ledger.operations());
-  return "";
-}
+struct Options {
+  std::vector<std::string> scenes;
+  bool markdown = false, json = false, all = false;
+  std::string output = "-";
+};
 
-std::vector<TextRow> overview(const std::vector<SceneCost>& costs) {
-  std::vector<TextRow> rows = {{"scene", "bodies", "coordinates", "speeds"}};
-  rows[0].insert(rows[0].end(), overview_functions.begin(), overview_functions.end());
-  for (const SceneCost& cost : costs) {
-    rows.push_back({cost.name, std::to_string(cost.bodies), std::to_string(cost.nx), std::to_string(cost.ny)});
-    for (const std::string& function : overview_functions) rows.back().push_back(operations_of(cost, function));
+std::vector<SceneCost> costs_of(const Options& options) {
+  std::vector<std::string> files;
+  for (const std::string& word : options.scenes.empty() ? std::vector<std::string>{"models"} : options.scenes)
+    for (std::string& file : scene_files(word)) files.push_back(std::move(file));
+  const Interrupts interrupts;
+  ProgressBar bar("ledger");
+  std::vector<SceneCost> costs;
+  for (const std::string& file : files) {
+    interrupts.poll();
+    bar.show(static_cast<double>(costs.size()) / static_cast<double>(files.size()));
+    costs.push_back(cost_of(scene::read(file), options.all, [](const std::string& note) { remark("note: " + note); }));
   }
-  return rows;
+  return costs;
 }
 
-// The first row is the heading; columns from `first_right` on stand to the right.
-std::string markdown_table(const std::vector<TextRow>& rows, std::size_t first_right) {
-  std::string text = fmt::format("| {} |\n|", fmt::join(rows[0], " | "));
-  for (std::size_t i = 0; i < rows[0].size(); ++i) text += i < first_right ? "---|" : "--:|";
-  text += '\n';
-  for (std::size_t i = 1; i < rows.size(); ++i) text += fmt::format("| {} |\n", fmt::join(rows[i], " | "));
-  return text;
+std::string command_of(const Options& options) {
+  std::string command = "kanec ledger";
+  for (const std::string& scene : options.scenes) command += " " + typed(scene);
+  return command + (options.all ? " --all" : "") + " --markdown";
+}
+
+int ledger(const Options& options) {
+  if (options.markdown && options.json) throw InputError("--json: found it beside --markdown; allowed: one of them");
+  AtomicFile file(options.output);
+  const std::vector<SceneCost> costs = costs_of(options);
+  file.write(options.markdown ? costs_markdown(costs, command_of(options))
+             : options.json   ? json_text(costs_json(costs))
+                              : costs_text(costs));
+  file.commit();
+  return success;
 }
 
 }  // namespace
 
-SceneCost cost_of(const scene::Scene& scene, bool all_functions) {
-  const std::vector<std::string> functions = all_functions ? Functions(scene).names() : std::vector<std::string>{};
-  GenerateOptions options{functions};
-  options.tell = [](const std::string& note) { remark("note: " + note); };
-  const program::Program program = generate(scene, options).program;
-  SceneCost cost{scene.name, size(scene), n_coordinates(scene), n_speeds(scene), {}, program::prepare_ledger(program)};
-  const std::vector<program::Ledger> ledgers = program::ledgers(program);
-  for (std::size_t i = 0; i < ledgers.size(); ++i)
-    cost.functions.push_back({program.functions[i].name, program.functions[i].n_out, ledgers[i],
-                              program::instructions(program, program.functions[i]),
-                              program::critical_path(program, program.functions[i])});
-  return cost;
-}
-
-std::string costs_text(const std::vector<SceneCost>& costs) {
-  std::vector<TextRow> rows = {ledger_headings()};
-  rows[0].insert(rows[0].begin(), "scene");
-  for (const SceneCost& cost : costs)
-    for (TextRow& row : rows_of(cost)) {
-      row.insert(row.begin(), cost.name);
-      rows.push_back(std::move(row));
-    }
-  return text_table(rows, "llr");
-}
-
-Json costs_json(const std::vector<SceneCost>& costs) {
-  Json list = Json::array();
-  for (const SceneCost& cost : costs) {
-    Json functions = Json::array();
-    for (const FunctionCost& function : cost.functions) {
-      functions.push_back({{"name", function.name}, {"results", function.results}});
-      functions.back().update(ledger_json(function.ledger));
-      functions.back()["instructions"] = function.instructions;
-      functions.back()["critical_path"] = function.critical_path;
-    }
-    list.push_back({{"model", cost.name},
-                    {"n_bodies", cost.bodies},
-                    {"nx", cost.nx},
-                    {"ny", cost.ny},
-                    {"functions", std::move(functions)},
-                    {"prepare", ledger_json(cost.prepare)}});
-  }
-  return list;
-}
-
-std::string costs_markdown(const std::vector<SceneCost>& costs, const std::string& command) {
-  std::string text =
-      "# Ledger\n\nWritten by " + fit::code(command) +
-      "; a test compares. One evaluation of each emitted function, counted exactly:\noperations are additions, "
-      "multiplications and divisions in double; square roots, sines and cosines and other functions\nstand beside "
-      "them. What depends on parameters alone is computed once, in `prepare`.\n\n## Operations by scene\n\n" +
-      markdown_table(overview(costs), 1);
-  for (const SceneCost& cost : costs) {
-    std::vector<TextRow> rows = rows_of(cost);
-    rows.insert(rows.begin(), ledger_headings());
-    text += "\n## " + cost.name + "\n\n" + markdown_table(rows, 1);
-  }
-  return text;
+void add_ledger(CLI::App& app, Action& action) {
+  const auto [command, options] =
+      add_command(app, action, "ledger", "the operations of every function of many scenes", footer, &ledger);
+  command->add_option("SCENES", options->scenes, "scenes, or folders of scenes (models)")
+      ->option_text(" ")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--all", options->all, "every function that a scene can have");
+  command->add_flag("--markdown", options->markdown, "as a page of tables");
+  command->add_flag("--json", options->json, "for machines");
+  command->add_option("-o,--output", options->output, "into this file")->option_text("FILE");
 }
 
 }  // namespace kanec::cli

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -14,28 +12,23 @@
 namespace kanec::cli {
 namespace {
 
-std::optional<double> number(const std::string& text) {
+// What reads as a number, as nan does, without quotes.
+std::string shown(const std::string& text) {
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_whole = !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == &text.back() + 1;
-  return is_whole ? std::optional(value) : std::nullopt;
+  std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() && !text.empty() ? text : scene::in_quotes(text);
 }
 
 CLI::Validator finite(const std::string& allowed, const std::function<bool(double)>& is_right) {
   const auto check = [allowed, is_right](const std::string& text) {
     const std::optional<double> value = finite_number(text);
     if (value && is_right(*value)) return std::string();
-    return fmt::format("found {}; allowed: {}", number(text) ? text : scene::in_quotes(text), allowed);
+    return fmt::format("found {}; allowed: {}", shown(text), allowed);
   };
   return {check, "", ""};
 }
 
 }  // namespace
-
-std::optional<double> finite_number(const std::string& text) {
-  const std::optional<double> value = number(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
 
 CLI::Validator positive() {
   return finite("a positive finite number", [](double value) { return value > 0.0; });

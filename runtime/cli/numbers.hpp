@@ -3,13 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 
 namespace kanec::cli {
-
-// The number that the whole text is; none where it is no number, or no finite one.
-std::optional<double> finite_number(const std::string& text);
 
 // Checks of an option, which refuse with "found nan; allowed: ..." behind its name. None lets through what is not
 // finite.

@@ -22,13 +22,6 @@ void add_scene(CLI::App& command, SceneArgument& argument,
 // FileError.
 scene::Scene load(const SceneArgument& argument);
 
-// A path as it is typed into a shell where a scene may stand: no option, one word.
-std::string typed(const std::string& path);
-
-// The scene files that a word means: a scene.toml, or that of a folder, or those of a folder of such folders, by name.
-// Throws InputError for a folder that holds neither.
-std::vector<std::string> scene_files(const std::string& word);
-
 // All scenes of these words, or the one of the connection array.
 std::vector<scene::Scene> load_all(const std::vector<std::string>& words, const std::string& connection);
 

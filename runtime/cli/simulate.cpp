@@ -11,24 +11,29 @@
 #include "runtime/base/files.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
+#include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
-#include "runtime/cli/conservation.hpp"
-#include "runtime/cli/ensemble.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/integration_options.hpp"
-#include "runtime/cli/interrupt.hpp"
-#include "runtime/cli/model.hpp"
 #include "runtime/cli/numbers.hpp"
-#include "runtime/cli/paths.hpp"
-#include "runtime/cli/progress.hpp"
-#include "runtime/cli/resume.hpp"
 #include "runtime/cli/scene_argument.hpp"
-#include "runtime/cli/settings.hpp"
-#include "runtime/cli/state_file.hpp"
-#include "runtime/cli/summary.hpp"
-#include "runtime/cli/watched_events.hpp"
-#include "runtime/integrate/plot.hpp"
-#include "runtime/integrate/trajectory.hpp"
+#include "runtime/ensemble/ensemble.hpp"
+#include "runtime/model/evaluate.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/model/model.hpp"
+#include "runtime/model/settings.hpp"
+#include "runtime/model/state_file.hpp"
+#include "runtime/picture/plot.hpp"
+#include "runtime/run/conservation.hpp"
+#include "runtime/run/integration_options.hpp"
+#include "runtime/run/needed_functions.hpp"
+#include "runtime/run/resume.hpp"
+#include "runtime/run/summary.hpp"
+#include "runtime/run/watched_events.hpp"
+#include "runtime/terminal/interrupt.hpp"
+#include "runtime/terminal/output.hpp"
+#include "runtime/terminal/progress.hpp"
+#include "runtime/text/json.hpp"
+#include "runtime/trajectory/trajectory.hpp"
+#include "runtime/verify/paths.hpp"
 
 namespace kanec::cli {
 namespace {
@@ -61,7 +66,7 @@ or with --keep-every its rows; a scenario that stops early has its last finite r
 
 struct Options {
   SceneArgument scene;
-  BuildArguments build;
+  BuildOptions build;
   std::vector<std::string> settings;
   std::optional<double> duration, output_step, step, longest_step, relative_tolerance, absolute_tolerance;
   std::optional<std::string> integrator, jacobian;
@@ -124,14 +129,14 @@ class Products {
   Products(const Options& options, const scene::Scene& scene, const std::string& rows_before) {
     refuse_same_file(options);
     csv_path_ = options.csv;
-    const integrate::StateNames names = trajectory_names(scene);
+    const StateNames names = trajectory_names(scene);
     if (!options.csv.empty()) csv_.emplace(options.csv, names, true);
     if (csv_ && is_same_file(options.csv, options.resume)) csv_->add_text(rows_before);
     if (!options.plot.empty()) plot_.emplace(options.plot, names, true, has_drives(scene));
     if (!options.final_state.empty()) final_.emplace(options.final_state);
   }
 
-  void add(const integrate::Row& row) {
+  void add(const Row& row) {
     end_ = row.t;
     if (csv_) csv_->add(row);
     if (plot_) plot_->add(row);
@@ -167,8 +172,8 @@ class Products {
   }
 
   std::string csv_path_;
-  std::optional<integrate::Trajectory> csv_;
-  std::optional<integrate::Plot> plot_;
+  std::optional<Trajectory> csv_;
+  std::optional<Plot> plot_;
   std::optional<AtomicFile> final_;
   std::optional<double> end_;  // time of the last row [s]
 };
@@ -186,13 +191,13 @@ std::string body_named(const scene::Scene& scene, const std::string& message) {
   for (const auto& names : {coordinate_names(scene), speed_names(scene)})
     for (const std::string& name : names) {
       if (words.find(" " + name + " ") == std::string::npos) continue;
-      const int k = integrate::component_of(name).body;
+      const int k = component_of(name).body;
       return " (body " + std::to_string(k) + ", " + scene.bodies[static_cast<std::size_t>(k - 1)].name + ")";
     }
   return "";
 }
 
-integrate::Summary integrate_model(const kanec_model& model, const scene::Scene& scene, const State& start,
+Summary integrate_model(const kanec_model& model, const scene::Scene& scene, const State& start,
                                    const integrate::Options& options, Products& products,
                                    const Interrupts& interrupts) {
   const Solver solver = solver_of(model, scene, start);
@@ -201,11 +206,11 @@ integrate::Summary integrate_model(const kanec_model& model, const scene::Scene&
     interrupts.poll();
     bar.show(fraction);
   };
-  return integrate::simulate(
+  return simulate(
       solver, start.x, start.y, options, [&](const auto& row) { products.add(row); }, progress);
 }
 
-State final_state(const scene::Scene& scene, const integrate::Summary& summary) {
+State final_state(const scene::Scene& scene, const Summary& summary) {
   // without events the model may read some of the inputs alone
   const std::vector<double> inputs = scene.events.empty() ? default_inputs(scene) : summary.inputs;
   return {summary.t, summary.x, summary.y, {}, default_parameters(scene), inputs};
@@ -269,7 +274,7 @@ int simulate_scene(const Options& options) {
   Products products(options, scene, resumed.rows);
   const CompiledModel model =
       build(scene, functions_for(scene, run), options.build, integrate::needs_series(run.method));
-  integrate::Summary summary;
+  Summary summary;
   try {
     summary = integrate_model(model.library.abi(), set, resumed.state, run, products, interrupts);
   } catch (const IntegrationError& error) {
@@ -284,7 +289,7 @@ int simulate_scene(const Options& options) {
     report(scene.name + "\n" + summary_text(summary, run, conservation), takes_standard_output(options));
     return 0;
   }
-  Json json = {{"model", scene.name}, {"hash", model.generated.hash}};
+  Json json = {{"model", scene.name}, {"hash", model.hash()}};
   json.update(summary_json(summary, run, conservation));
   json["final"] = last;
   print_json(json);

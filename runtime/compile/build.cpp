@@ -46,8 +46,9 @@ namespace {
 constexpr char made_name[] = "made";  // in the workplace: what becomes the entry
 
 struct Job {
-  const Source& source;
+  Source source;
   Compiler compiler;
+  std::vector<std::string> chosen;  // of the options, behind those of the source
   std::vector<std::string> flags;
   Cache::Place place;
 };
@@ -58,7 +59,6 @@ bool is_file_name(std::string_view name) {
 }
 
 void check_names(const Source& source) {
-  if (!is_identifier(source.name)) throw InternalError("model name is no identifier: " + source.name);
   std::set<std::string> names = {"abi.h", made_name};  // ours
   for (const auto& [name, text] : source.files) {
     if (!is_file_name(name)) throw InternalError("unsound name of a source file: " + name);
@@ -70,12 +70,16 @@ void check_names(const Source& source) {
 }
 
 Job plan(const Source& source, const Options& options) {
-  check_names(source);
-  Job job{source, find_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar), source.flags, {}};
-  const std::vector<std::string> chosen = options.flags_given ? options.flags : default_flags();
-  job.flags.insert(job.flags.end(), chosen.begin(), chosen.end());
-  job.place = Cache::place(source.name, cache_key(source, job.compiler, job.flags));
-  return job;
+  if (!is_identifier(source.name)) throw InternalError("model name is no identifier: " + source.name);
+  return {source, find_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar),
+          options.flags_given ? options.flags : default_flags(), {}, {}};
+}
+
+// Where what is compiled of these files is kept, or, before there are files, of this origin.
+void find_place(Job& job) {
+  job.flags = job.source.flags;
+  job.flags.insert(job.flags.end(), job.chosen.begin(), job.chosen.end());
+  job.place = Cache::place(job.source.name, cache_key(job.source, job.compiler, job.flags));
 }
 
 std::string not_kept(const FileError& error) { return std::string("the compiled model is not kept: ") + error.what(); }
@@ -164,19 +168,51 @@ void keep(const Cache& cache, const Job& job, Model::State& state) {
   }
 }
 
+// A second entry for the same library, found by what its files follow from. Only a saving: where it cannot be, nothing
+// is lost.
+void keep_by_origin(const Cache& cache, const Cache::Place& origin, const fs::path& library) {
+  try {
+    const TemporaryFolder folder = cache.workplace(origin);
+    const fs::path made = folder.path() / made_name;
+    if (::mkdir(made.c_str(), 0700) != 0) return;
+    fs::copy_file(library, made / library_name);
+    cache.store(made, origin);
+  } catch (const FileError&) {
+  } catch (const fs::filesystem_error&) {
+  }
+}
+
+std::unique_ptr<Model::State> fetched_or_made(std::optional<Cache>& cache, const Job& job, const Options& options,
+                                              std::vector<std::string>& notes) {
+  if (auto state = fetch(cache, job, notes)) return state;
+  const Waiting waiting{"which compiles the same model", options.tell, options.poll};
+  const Lock lock = cache ? cache->lock(job.place, waiting) : Lock();
+  if (auto state = fetch(cache, job, notes)) return state;  // made by another process meanwhile
+  auto state = make(job, workplace(cache, job, notes));
+  state->notes = notes;
+  if (cache) keep(*cache, job, *state);
+  return state;
+}
+
 }  // namespace
 
 Model build(const Source& source, const Options& options) {
-  const Job job = plan(source, options);
+  Job job = plan(source, options);
   std::vector<std::string> notes;
   std::optional<Cache> cache = open_cache(options, notes);
-  if (auto state = fetch(cache, job, notes)) return Model(std::move(state));
-  const Waiting waiting{"which compiles the same model", options.tell, options.poll};
-  const Lock lock = cache ? cache->lock(job.place, waiting) : Lock();
-  if (auto state = fetch(cache, job, notes)) return Model(std::move(state));  // made by another process meanwhile
-  auto state = make(job, workplace(cache, job, notes));
-  state->notes = std::move(notes);
-  if (cache) keep(*cache, job, *state);
+  std::optional<Cache::Place> origin;
+  if (source.make) {
+    if (cache && !source.origin.empty()) {
+      find_place(job);
+      if (auto state = fetch(cache, job, notes)) return Model(std::move(state));
+      origin = job.place;
+    }
+    source.make(job.source);
+  }
+  check_names(job.source);
+  find_place(job);
+  auto state = fetched_or_made(cache, job, options, notes);
+  if (cache && origin && !state->folder) keep_by_origin(*cache, *origin, state->path);
   return Model(std::move(state));
 }
 

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::minutes patience{2};  // for another process that makes the same entry
+constexpr std::chrono::minutes cache_patience{2};  // for another process that makes the same entry
 
-fs::path variable(const char* name) {
+fs::path path_variable(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr ? value : "";
 }
@@ -49,9 +49,9 @@ void require_private(const fs::path& path) {
 }  // namespace
 
 fs::path default_cache() {
-  if (const fs::path own = variable("KANEC_CACHE"); !own.empty()) return fs::absolute(own);
-  if (const fs::path xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "kanec";
-  if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "kanec";
+  if (const fs::path own = path_variable("KANEC_CACHE"); !own.empty()) return fs::absolute(own);
+  if (const fs::path xdg = path_variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "kanec";
+  if (const fs::path home = path_variable("HOME"); home.is_absolute()) return home / ".cache" / "kanec";
   return temporary_root() / ("kanec-" + std::to_string(::geteuid()));
 }
 
@@ -85,7 +85,7 @@ Finding Cache::find(const Place& place) const { return look_at(folder_ / place.e
 
 Lock Cache::lock(const Place& place, const Waiting& waiting) const {
   try {
-    return Lock(temporary() / (place.entry + ".lock"), patience, waiting);
+    return Lock(temporary() / (place.entry + ".lock"), cache_patience, waiting);
   } catch (const FileError&) {
     return {};
   }

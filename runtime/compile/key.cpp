@@ -74,7 +74,6 @@ std::string cache_key(const Source& source, const Compiler& compiler, const std:
   std::string key;
   add(key, "abi", std::to_string(KANEC_ABI_VERSION));
   add(key, "name", source.name);
-  add(key, "hash", source.hash);
   add(key, "sizes", std::to_string(source.nx) + " " + std::to_string(source.ny));
   add(key, "compiler", compiler.path.string());
   for (const std::string& argument : compiler.arguments) add(key, "argument", argument);
@@ -87,6 +86,11 @@ std::string cache_key(const Source& source, const Compiler& compiler, const std:
     if (const char* value = std::getenv(name)) add(key, name, value);
   add(key, "machine", machine());
   add(key, "abi.h", abi_text);
+  if (source.files.empty()) {
+    add(key, "origin", source.origin);
+    return key;
+  }
+  add(key, "hash", source.hash);
   for (const auto& [name, text] : source.files) add(key, name, text);
   return key;
 }

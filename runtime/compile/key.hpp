@@ -11,7 +11,7 @@
 
 namespace kanec::compile {
 
-// ABI version, all source texts with abi.h, the compiler (path, file behind it, version), flags, the environment that
+// ABI version, all source texts with abi.h (before they are made, what they follow from), the compiler (path, file behind it, version), flags, the environment that
 // compilers heed, and the processor that -march=native means. Two builds may share a library only if their keys are
 // equal.
 std::string cache_key(const Source& source, const Compiler& compiler, const std::vector<std::string>& flags);

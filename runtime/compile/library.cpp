@@ -31,7 +31,7 @@ void check(const kanec_model& model, const Source& expected) {
   require_equal(expected, "ABI version", model.abi_version, KANEC_ABI_VERSION);
   require_equal(expected, "descriptor size", model.struct_size, static_cast<std::uint32_t>(sizeof(kanec_model)));
   const std::string hash = model.hash != nullptr ? model.hash : "";
-  if (hash != expected.hash) fail(expected, "hash is " + hash + ", expected " + expected.hash);
+  if (!expected.hash.empty() && hash != expected.hash) fail(expected, "hash is " + hash + ", expected " + expected.hash);
   require_equal(expected, "nx", model.nx, expected.nx);
   require_equal(expected, "ny", model.ny, expected.ny);
   if (model.functions == nullptr) fail(expected, "descriptor without functions");

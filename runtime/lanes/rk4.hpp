@@ -1,5 +1,5 @@
 // The classical Runge-Kutta method in lanes: one group of scenarios stepped together, compiled with the model. Not:
-// which scenarios, nor what is kept of them (runtime/integrate/ensemble.hpp).
+// which scenarios, nor what is kept of them (runtime/trajectory/batch_ensemble.hpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

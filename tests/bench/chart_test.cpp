@@ -5,10 +5,10 @@
 
 #include <regex>
 
-#include "runtime/cli/bench/contest_chart.hpp"
-#include "runtime/cli/bench/contest_text.hpp"
+#include "runtime/bench/contest_chart.hpp"
+#include "runtime/bench/contest_text.hpp"
 
-namespace kanec::cli::test {
+namespace kanec::test {
 namespace {
 
 using testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(ContestText, tells_ratios_to_the_first_and_why_there_is_no_time) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::test
+}  // namespace kanec::test

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/bench/relative_state.hpp"
-#include "runtime/cli/paths.hpp"
-#include "runtime/cli/samples.hpp"
+#include "runtime/bench/relative_state.hpp"
+#include "runtime/verify/paths.hpp"
+#include "runtime/verify/samples.hpp"
 #include "tests/support/random_scene.hpp"
 
-namespace kanec::cli::test {
+namespace kanec::test {
 namespace {
 
 // Every joint that other engines can have, welds among them, with forces and moments at points.
@@ -40,7 +40,7 @@ TEST(RelativeState, forces_have_the_power_of_the_loads) {
   for (const scene::Scene& scene : scenes()) {
     const RelativeModel model = relative_model(scene);
     const RelativeStates states(scene, model);
-    for (const State& state : samples(scene, 3, 1)) {
+    for (const kanec::State& state : samples(scene, 3, 1)) {
       const RelativeState found = states.of(state);
       double size = 1.0;
       for (std::size_t i = 0; i < found.u.size(); ++i) size = std::max(size, std::fabs(found.u[i] * found.force[i]));
@@ -50,7 +50,7 @@ TEST(RelativeState, forces_have_the_power_of_the_loads) {
 }
 
 // The state a time h later, to first order.
-State later(const scene::Scene& scene, State state, double h) {
+kanec::State later(const scene::Scene& scene, kanec::State state, double h) {
   const std::vector<double> xdot = generic_path<double>(scene, {"kinematics"}, state);
   for (std::size_t i = 0; i < xdot.size(); ++i) state.x[i] += h * xdot[i];
   for (std::size_t i = 0; i < state.y.size(); ++i) state.y[i] += h * state.ydot[i];
@@ -70,7 +70,7 @@ TEST(RelativeState, rates_are_those_of_the_speeds) {
   for (const scene::Scene& scene : scenes()) {
     const RelativeModel model = relative_model(scene);
     const RelativeStates states(scene, model);
-    for (const State& state : samples(scene, 2, 2)) {
+    for (const kanec::State& state : samples(scene, 2, 2)) {
       const std::vector<double> rates = states.rates(state), before = states.of(later(scene, state, -h)).u,
                                 after = states.of(later(scene, state, h)).u;
       for (std::size_t i = 0; i < rates.size(); ++i)
@@ -85,8 +85,8 @@ TEST(RelativeState, scene_state_undoes_it) {
     const RelativeModel model = relative_model(scene);
     const RelativeStates states(scene, model);
     const scene::Layout layout(scene);
-    for (const State& state : samples(scene, 2, 3)) {
-      State found = states.scene_state(states.of(state), initial_state(scene));
+    for (const kanec::State& state : samples(scene, 2, 3)) {
+      kanec::State found = states.scene_state(states.of(state), initial_state(scene));
       for (const scene::BodyLayout& body : layout.bodies) {
         if (body.eps < 0) continue;
         const auto at = static_cast<std::size_t>(body.eps);
@@ -148,4 +148,4 @@ TEST(RelativeModel, refuses_what_it_has_no_word_for) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::test
+}  // namespace kanec::test

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/conservation.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/result_layout.hpp"
-#include "runtime/cli/state_file.hpp"
-#include "runtime/cli/state_layout.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/model/result_layout.hpp"
+#include "runtime/model/state_file.hpp"
+#include "runtime/model/state_layout.hpp"
+#include "runtime/run/conservation.hpp"
 
 namespace kanec::cli {
 namespace {

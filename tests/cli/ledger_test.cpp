@@ -1,6 +1,6 @@
 // Oracle: the counts that `kanec generate` reports of each scene; the page is compared with what is committed.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/reductions.hpp"
+#include "runtime/model/reductions.hpp"
 #include "tests/cli/program.hpp"
 
 namespace kanec::cli::test {

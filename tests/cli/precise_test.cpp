@@ -1,6 +1,6 @@
 // Oracle: identities of real numbers, in 50 digits.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/precise.hpp"
+#include "runtime/verify/precise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/cli/report/choice.hpp"
-#include "runtime/cli/report/integration_text.hpp"
+#include "runtime/study/report/choice.hpp"
+#include "runtime/study/report/integration_text.hpp"
 
 namespace kanec::cli::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <regex>
 
-#include "runtime/cli/report/diagram.hpp"
-#include "runtime/cli/svg.hpp"
+#include "runtime/picture/svg.hpp"
+#include "runtime/study/report/diagram.hpp"
 
 namespace kanec::cli::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/report/integration.hpp"
-#include "runtime/cli/report/reference.hpp"
+#include "runtime/study/report/integration.hpp"
+#include "runtime/study/report/reference.hpp"
 #include "tests/cli/program.hpp"
 
 namespace kanec::cli::test {

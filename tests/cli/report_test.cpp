@@ -2,9 +2,9 @@
 // from which a way with a mistake would be 1e10 ulps away.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/scene/read.hpp"
-#include "runtime/cli/report/evaluation.hpp"
-#include "runtime/cli/report/ways.hpp"
-#include "runtime/cli/samples.hpp"
+#include "runtime/study/report/evaluation.hpp"
+#include "runtime/study/report/ways.hpp"
+#include "runtime/verify/samples.hpp"
 #include "tests/cli/program.hpp"
 
 namespace kanec::cli::test {

@@ -1,6 +1,6 @@
 // Oracle: what samples.hpp promises.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/samples.hpp"
+#include "runtime/verify/samples.hpp"
 
 #include <gtest/gtest.h>
 

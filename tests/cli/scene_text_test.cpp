@@ -1,6 +1,6 @@
 // Oracle: the reader: what is written reads back as what was read.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/scene_text.hpp"
+#include "runtime/model/scene_text.hpp"
 
 #include <gtest/gtest.h>
 

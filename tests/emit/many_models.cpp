@@ -7,7 +7,7 @@
 
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"
-#include "runtime/cli/paths.hpp"
+#include "runtime/model/evaluate.hpp"
 #include "tests/emit/driver.hpp"
 
 namespace kanec::test {
@@ -63,9 +63,9 @@ std::vector<double> ManyModels::result(const std::string& model, const std::stri
                                        const Sample& sample) const {
   const auto entry = reinterpret_cast<kanec_entry>(::dlsym(handle_, ("entry_of_" + model).c_str()));
   if (entry == nullptr) throw std::runtime_error("no model " + model);
-  const cli::State state{sample.t,        sample.state.x,    sample.state.y, sample.state.ydot,
+  const kanec::State state{sample.t,        sample.state.x,    sample.state.y, sample.state.ydot,
                          sample.parameters, sample.inputs};
-  return cli::emitted(*entry(), sample.scene, function, state);
+  return kanec::emitted(*entry(), sample.scene, function, state);
 }
 
 }  // namespace kanec::test

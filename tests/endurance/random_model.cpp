@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "generator/requests.hpp"
+#include "generator/choice/requests.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_scene.hpp"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "runtime/base/files.hpp"
-#include "runtime/cli/scene_text.hpp"
+#include "runtime/model/scene_text.hpp"
 #include "tests/base/folder.hpp"
 #include "tests/endurance/random_model.hpp"
 #include "tests/endurance/trial.hpp"
@@ -83,7 +83,7 @@ class Soak {
     Random random(seed_ * 7'000'003 + static_cast<std::uint64_t>(number));
     const Folder folder;
     ::setenv("KANEC_CACHE", (folder.path() / "cache").c_str(), 1);
-    write_file(folder.path() / "scene.toml", cli::scene_text(scene));
+    write_file(folder.path() / "scene.toml", scene_text(scene));
     ++scenes_;
     for (const Command& command : commands(random, scene, is_triple(number))) {
       ++commands_;

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/hard/answer.hpp"
-#include "runtime/cli/hard/extrapolation.hpp"
 #include "runtime/generic/evaluate.hpp"
+#include "runtime/study/hard/answer.hpp"
+#include "runtime/study/hard/extrapolation.hpp"
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 using Real = long double;
@@ -27,7 +27,7 @@ scene::Scene hard_scene(const std::string& name) {
 struct Instant {
   double t;
   std::vector<double> x, y;
-  integrate::Row row() const { return {t, x, y, 0.0, {}}; }
+  Row row() const { return {t, x, y, 0.0, {}}; }
 };
 
 std::vector<double> evenly(double duration, int rows) {
@@ -185,4 +185,4 @@ TEST(Answers, by_reference_runs_agree_with_each_other) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

@@ -1,13 +1,13 @@
 // Oracle: the angle that a rotation was made of.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/attitude_angle.hpp"
+#include "runtime/verify/attitude_angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <numbers>
 
-namespace kanec::cli::test {
+namespace kanec::test {
 namespace {
 
 using Matrix = Eigen::Matrix<long double, 3, 3>;
@@ -26,4 +26,4 @@ TEST(AttitudeAngle, has_all_digits_however_small_or_near_half_a_turn) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::test
+}  // namespace kanec::test

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cli/hard/outcome.hpp"
+#include "runtime/study/hard/outcome.hpp"
 #include "tests/base/environment.hpp"
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ std::vector<std::string> names() {
 class Cases : public testing::TestWithParam<std::string> {
  private:
   // one cache for all runs of this build; each scene is compiled once, without optimisation, which is quick
-  Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
+  Variable cache_{"KANEC_CACHE", KANEC_BINARY_DIR "/tests/hard_cache"};
   Variable flags_{"KANEC_CXXFLAGS", "-O0"};
 };
 
@@ -48,4 +48,4 @@ TEST_P(Cases, keep_to_their_bounds_and_round_no_worse_than_twice_the_generic_pat
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

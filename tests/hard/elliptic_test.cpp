@@ -1,13 +1,13 @@
 // Oracles: identities of Jacobi's functions, std::comp_ellint_1 where the modulus is not near 1, integrals in closed
 // form.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/hard/elliptic.hpp"
+#include "runtime/study/hard/elliptic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 constexpr Real tolerance = 1e-17L;  // a hundred roundings of long double
@@ -61,4 +61,4 @@ TEST(Integral, of_a_smooth_function_has_all_digits) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

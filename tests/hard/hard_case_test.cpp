@@ -1,6 +1,6 @@
 // What hard.toml may say, and what becomes of a run that stops.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/cli/hard/hard_case.hpp"
+#include "runtime/study/hard/hard_case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <map>
 
 #include "runtime/base/error.hpp"
-#include "runtime/cli/hard/outcome.hpp"
+#include "runtime/study/hard/outcome.hpp"
 #include "tests/base/environment.hpp"
 #include "tests/base/folder.hpp"
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 using kanec::test::Folder;
@@ -69,7 +69,7 @@ TEST_F(Reading, what_has_no_meaning_is_refused_with_its_line) {
 
 class Running : public Reading {
  private:
-  Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
+  Variable cache_{"KANEC_CACHE", KANEC_BINARY_DIR "/tests/hard_cache"};
   Variable flags_{"KANEC_CXXFLAGS", "-O0"};
 };
 
@@ -126,10 +126,10 @@ TEST_F(Running, a_run_goes_on_from_its_last_state) {
   const Solver solver(model.library.abi());
   integrate::Options options = outcome(hard, hard.runs[0].full, model).options;
   const auto x = scene::initial_coordinates(hard.scene), y = scene::initial_speeds(hard.scene);
-  const integrate::Summary whole = integrate::simulate(solver, x, y, options);
+  const Summary whole = simulate(solver, x, y, options);
   options.duration = 1.0;
-  const integrate::Summary first = integrate::simulate(solver, x, y, options);
-  const integrate::Summary second = integrate::simulate(solver, first.x, first.y, options);
+  const Summary first = simulate(solver, x, y, options);
+  const Summary second = simulate(solver, first.x, first.y, options);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(second.x[i], whole.x[i], 1e-14);
   for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(second.y[i], whole.y[i], 1e-14);
 }
@@ -146,4 +146,4 @@ TEST_F(Running, a_bound_that_is_not_kept_is_told) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

@@ -6,12 +6,13 @@
 
 #include "generator/scene/component.hpp"
 #include "generator/scene/read.hpp"
-#include "runtime/cli/functions.hpp"
-#include "runtime/cli/hard/answer.hpp"
-#include "runtime/cli/model.hpp"
+#include "runtime/model/functions.hpp"
+#include "runtime/model/model.hpp"
+#include "runtime/run/needed_functions.hpp"
+#include "runtime/study/hard/answer.hpp"
 #include "tests/base/environment.hpp"
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 using integrate::JacobianChoice;
@@ -40,14 +41,14 @@ class LongChain : public testing::Test {
     return options;
   }
 
-  integrate::Summary run(JacobianChoice jacobian, const integrate::Observer& observer = {}) {
+  Summary run(JacobianChoice jacobian, const Observer& observer = {}) {
     integrate::Options options = options_;
     options.jacobian = jacobian;
     return simulate(Solver(model_.library.abi()), scene::initial_coordinates(scene_), scene::initial_speeds(scene_),
                     options, observer);
   }
 
-  kanec::test::Variable cache_{"KANEC_CACHE", std::string(KANEC_BINARY_DIR) + "/tests/hard_cache"};
+  kanec::test::Variable cache_{"KANEC_CACHE", KANEC_BINARY_DIR "/tests/hard_cache"};
   kanec::test::Variable flags_{"KANEC_CXXFLAGS", "-O0"};
   scene::Scene scene_ = scene::parse(chain(512), "long_chain.toml");
   integrate::Options options_ = settings();
@@ -57,15 +58,15 @@ class LongChain : public testing::Test {
 // A Jacobian by differences takes 1024 evaluations, and BDF makes one in some 50 steps.
 TEST_F(LongChain, emitted_jacobians_save_nineteen_evaluations_in_twenty) {
   const std::unique_ptr<Answer> modes = uniform_chain(scene_);
-  const integrate::Summary emitted =
-      run(JacobianChoice::sparse, [&](const integrate::Row& row) { modes->compare(row); });
+  const Summary emitted =
+      run(JacobianChoice::sparse, [&](const Row& row) { modes->compare(row); });
   EXPECT_GT(emitted.jacobians, 0);
   for (const Deviation& deviation : modes->deviations()) EXPECT_LT(deviation.value, 1e-3) << deviation.what;
-  const integrate::Summary differences = run(JacobianChoice::differences);
+  const Summary differences = run(JacobianChoice::differences);
   EXPECT_EQ(differences.jacobians, 0);
   fmt::print("evaluations: {} and {}\n", emitted.evaluations, differences.evaluations);
   EXPECT_GE(differences.evaluations, 20 * emitted.evaluations);
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

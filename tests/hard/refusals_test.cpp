@@ -7,9 +7,9 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/cli/hard/answer.hpp"
+#include "runtime/study/hard/answer.hpp"
 
-namespace kanec::cli::hard::test {
+namespace kanec::hard::test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(Refusals, of_masses_that_do_not_come_to_the_spring_or_the_events) {
 }
 
 }  // namespace
-}  // namespace kanec::cli::hard::test
+}  // namespace kanec::hard::test

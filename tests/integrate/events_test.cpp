@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "runtime/base/error.hpp"
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 #include "tests/integrate/oscillator.hpp"
 #include "tests/integrate/tree_model.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/base/error.hpp"
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 #include "tests/integrate/closed_form.hpp"
 #include "tests/integrate/tree_model.hpp"
 

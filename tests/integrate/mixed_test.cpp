@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 #include "tests/integrate/mixed_model.hpp"
 
 namespace kanec::integrate::test {

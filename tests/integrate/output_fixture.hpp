@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "runtime/integrate/trajectory.hpp"
+#include "runtime/trajectory/trajectory.hpp"
 
 namespace kanec::integrate::test {
 

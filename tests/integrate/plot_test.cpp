@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "runtime/integrate/plot.hpp"
+#include "runtime/picture/plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Rows, summary, options and refusals of a run; numbers against closed forms.
 // SPDX-License-Identifier: BSD-3-Clause
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "runtime/integrate/trajectory.hpp"
+#include "runtime/trajectory/trajectory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Ensembles in lanes and in threads. Oracle: simulate(), one scenario at a time.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/integrate/ensemble.hpp"
+#include "runtime/trajectory/batch_ensemble.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,15 +9,12 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 #include "tests/lanes/compiled.hpp"
 
 namespace kanec::test {
 namespace {
 
-using integrate::EnsembleOptions;
-using integrate::Outcome;
-using integrate::Scenario;
 using testing::HasSubstr;
 
 class Ensemble : public testing::TestWithParam<const char*> {
@@ -53,18 +50,18 @@ class Ensemble : public testing::TestWithParam<const char*> {
     return list;
   }
 
-  std::vector<integrate::KeptRow> rows_alone(const Scenario& scenario) const {
+  std::vector<KeptRow> rows_alone(const Scenario& scenario) const {
     Solver solver(scalar.abi());
     solver.set_parameters(scenario.parameters);
     solver.set_inputs(scenario.inputs);
-    std::vector<integrate::KeptRow> rows;
-    integrate::simulate(solver, scenario.x, scenario.y, options.run, [&](const integrate::Row& row) {
+    std::vector<KeptRow> rows;
+    simulate(solver, scenario.x, scenario.y, options.run, [&](const Row& row) {
       rows.push_back({row.t, {row.x.begin(), row.x.end()}, {row.y.begin(), row.y.end()}, row.energy, row.work});
     });
     return rows;
   }
 
-  static std::vector<double> flat(const integrate::KeptRow& row) {
+  static std::vector<double> flat(const KeptRow& row) {
     std::vector<double> all = {row.t, row.work, row.energy->kinetic, row.energy->potential};
     all.insert(all.end(), row.x.begin(), row.x.end());
     all.insert(all.end(), row.y.begin(), row.y.end());

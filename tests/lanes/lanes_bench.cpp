@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "generator/scene/read.hpp"
-#include "runtime/cli/model.hpp"
+#include "runtime/model/model.hpp"
 #include "tests/lanes/compiled.hpp"
 
 namespace kanec::test {
@@ -23,7 +23,7 @@ constexpr char function[] = "accelerations";
 
 struct Model {
   scene::Scene scene;
-  cli::CompiledModel scalar;
+  CompiledModel scalar;
   std::vector<Sample> samples;
 };
 
@@ -82,7 +82,7 @@ void time_lanes(benchmark::State& loop, const Model& model, const kanec_batch& b
 
 Model model_of(const std::string& path) {
   const scene::Scene scene = scene::read(path + "/scene.toml");
-  Model model{scene, cli::build(scene, {function}, {}), {}};
+  Model model{scene, build(scene, {function}, {}), {}};
   Random random(1);
   while (model.samples.size() < n_states) model.samples.push_back(sample_of(scene, random));
   return model;
@@ -103,13 +103,13 @@ int run(const std::vector<std::string>& scenes) {
   int count = static_cast<int>(words.size());
   benchmark::Initialize(&count, arguments.data());
   std::deque<Model> models;
-  std::deque<cli::CompiledModel> batches;
+  std::deque<CompiledModel> batches;
   for (const std::string& path : scenes) {
     const Model& model = models.emplace_back(model_of(path));
     const std::string name = model.scene.name;
     benchmark::RegisterBenchmark((name + ", one").c_str(), [&](benchmark::State& loop) { time_scalar(loop, model); });
     for (const Variant& variant : variants) {
-      batches.push_back(cli::build_batch(model.scene, {function}, {}, {variant.scalar, variant.lanes}));
+      batches.push_back(build_batch(model.scene, {function}, {}, {variant.scalar, variant.lanes}));
       const kanec_batch& batch = batches.back().library.batch();
       for (const bool blocked : {false, true}) {
         const std::string full =

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "generator/requests.hpp"
+#include "generator/choice/requests.hpp"
 #include "tests/lower/sample.hpp"
 
 namespace kanec::test {

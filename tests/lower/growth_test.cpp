@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "generator/candidates.hpp"
+#include "generator/choice/candidates.hpp"
 #include "generator/program/ledger.hpp"
 #include "generator/scene/read.hpp"
 #include "tests/lower/sample.hpp"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "generator/choice/requests.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/requests.hpp"
 #include "generator/symbolic/functions.hpp"
 #include "runtime/generic/dual.hpp"
 #include "tests/lower/trees.hpp"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "generator/requests.hpp"
+#include "generator/choice/requests.hpp"
 #include "runtime/generic/expression.hpp"
 #include "tests/lower/sample.hpp"
 #include "tests/support/dual.hpp"

@@ -1,6 +1,6 @@
 // Estimates of what the mass matrix takes, and what becomes of a wish for it. Oracle: exact counts of emitted programs.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/reach.hpp"
+#include "generator/choice/reach.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

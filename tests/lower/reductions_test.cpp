@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include "generator/choice/requests.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/requests.hpp"
 #include "tests/lower/trees.hpp"
 
 namespace kanec::test {

@@ -1,26 +1,25 @@
 // Rounding errors of programs in double, in units of the last digit of a result's largest component. Oracle: the same
 // program in 50 digits.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/rounding.hpp"
+#include "generator/choice/rounding.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "generator/candidates.hpp"
-#include "generator/comparison.hpp"
+#include "generator/choice/candidates.hpp"
+#include "generator/choice/comparison.hpp"
 #include "generator/program/passes.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/base/median.hpp"
-#include "runtime/cli/precise.hpp"
+#include "runtime/verify/precise.hpp"
 #include "tests/lower/trees.hpp"
 #include "tests/support/reference.hpp"
 
 namespace kanec::test {
 namespace {
 
-using cli::Precise;
 
 std::vector<Precise> precise(const std::vector<double>& v) { return {v.begin(), v.end()}; }
 

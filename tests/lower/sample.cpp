@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/lower/sample.hpp"
 
-#include "generator/candidates.hpp"
-#include "generator/requests.hpp"
+#include "generator/choice/candidates.hpp"
+#include "generator/choice/requests.hpp"
 
 namespace kanec::test {
 

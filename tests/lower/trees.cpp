@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tests/lower/trees.hpp"
 
+#include "generator/choice/requests.hpp"
 #include "generator/lower/derivatives.hpp"
-#include "generator/requests.hpp"
-#include "runtime/cli/tangent.hpp"
+#include "runtime/model/tangent.hpp"
 
 namespace kanec::test {
 
@@ -21,7 +21,7 @@ std::vector<std::string> without_derivatives(const scene::Scene& scene) {
 
 std::vector<long double> comparable(const Sample& s, const std::string& function, const std::vector<long double>& result) {
   const bool by_x = function == "residual_x" || function == "accelerations_x" || function == "power_x";
-  return by_x ? cli::along_tangent(s.scene, s.state.x, result) : result;
+  return by_x ? along_tangent(s.scene, s.state.x, result) : result;
 }
 
 }  // namespace kanec::test

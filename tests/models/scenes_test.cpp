@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "generator/requests.hpp"
+#include "generator/choice/requests.hpp"
 #include "tests/models/model.hpp"
 
 namespace kanec::test {

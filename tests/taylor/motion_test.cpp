@@ -8,7 +8,7 @@
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/norm.hpp"
-#include "runtime/integrate/simulate.hpp"
+#include "runtime/trajectory/simulate.hpp"
 #include "tests/support/compiled.hpp"
 
 namespace kanec::test {
@@ -16,8 +16,6 @@ namespace {
 
 using integrate::Method;
 using integrate::Options;
-using integrate::Row;
-using integrate::Summary;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -31,7 +29,7 @@ class Motion {
     return Motion(scene::read(std::string(KANEC_SOURCE_DIR) + "/models/" + model + "/scene.toml"));
   }
 
-  Summary run(const Options& options, const integrate::Observer& observer = {}) const {
+  Summary run(const Options& options, const Observer& observer = {}) const {
     return simulate(Solver(model_.abi()), scene::initial_coordinates(scene_), scene::initial_speeds(scene_), options,
                     observer);
   }

@@ -10,8 +10,8 @@
 #include "generator/program/combined.hpp"
 #include "tests/emit/every_node.hpp"
 #include "tests/lower/sample.hpp"
-#include "tests/support/power_series.hpp"
 #include "tests/support/compiled.hpp"
+#include "tests/support/power_series.hpp"
 
 namespace kanec::test {
 namespace {

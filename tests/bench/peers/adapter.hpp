@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "runtime/cli/bench/peer_abi.h"
+#include "runtime/bench/peer_abi.h"
 
 namespace kanec::peers {
 
