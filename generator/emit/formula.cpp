@@ -183,12 +183,13 @@ bool ends_in_sign(const std::string& text) {
 
 std::string latex_breaks(const std::string& formula) {
   std::string result;
-  int braces = 0, parentheses = 0;
+  int braces = 0, parentheses = 0, brackets = 0;
   for (std::size_t i = 0; i < formula.size(); ++i) {
     const char c = formula[i];
     const bool is_escaped = i > 0 && formula[i - 1] == '\\';
     braces += is_escaped ? 0 : (c == '{') - (c == '}');
     parentheses += braces > 0 ? 0 : (c == '(') - (c == ')');
+    brackets += braces > 0 ? 0 : (c == '[') - (c == ']');
     if (c != ' ' || braces > 0 || ends_in_command(result) || ends_in_sign(result)) {
       result += c;
       continue;
@@ -197,7 +198,8 @@ std::string latex_breaks(const std::string& formula) {
     const bool is_at_sign =
         formula.compare(i, 3, " + ") == 0 || formula.compare(i, 3, " - ") == 0 || formula.compare(i, 3, " = ") == 0;
     result += is_in_list ? "\\; " : " ";
-    result += !is_in_list && !is_at_sign ? "\\brkfac " : parentheses > 0 ? "\\brkin " : "\\brk ";
+    const bool is_inner = parentheses > 0 || (brackets > 0 && is_at_sign);
+    result += !is_in_list && !is_at_sign ? "\\brkfac " : is_inner ? "\\brkin " : "\\brk ";
   }
   return result;
 }

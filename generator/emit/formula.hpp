@@ -21,8 +21,8 @@ std::string latex_name(const std::string& name);
 // The same outside of a formula: a line may end behind its underscores.
 std::string latex_word(const std::string& name);
 
-// A formula with places where its line may end: \brk before signs and behind commas, \brkin within
-// parentheses, \brkfac between factors. The document defines what they cost.
+// A formula with places where its line may end: \brk before signs and behind commas, \brkin within parentheses and
+// before signs within an entry of a matrix, \brkfac between factors. The document defines what they cost.
 std::string latex_breaks(const std::string& formula);
 
 }  // namespace kanec::emit

@@ -134,6 +134,13 @@ TEST(Bodies, have_their_names_joints_and_coordinates) {
                                      {"3", "tip", "weld", "none"}}));
 }
 
+TEST(Formula, ends_its_lines_between_entries_rather_than_terms_and_terms_rather_than_factors) {
+  EXPECT_EQ(latex_breaks("a_{1} b + \\dot s (c - d, e)"),
+            "a_{1} \\brkfac b \\brk + \\dot s \\brkfac (c \\brkin - d,\\; \\brkin e)");
+  EXPECT_EQ(latex_breaks("[-a + b, 0]"), "[-a \\brkin + b,\\; \\brk 0]");
+  EXPECT_EQ(latex_breaks("\\text{a b} = \\tfrac{a + b}{c}"), "\\text{a b} \\brk = \\tfrac{a + b}{c}");
+}
+
 TEST(Formula, keeps_the_meaning_of_signs_and_powers) {
   const scene::Scene scene = scene::parse(R"toml(
 name = "signs"
