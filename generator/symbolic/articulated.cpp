@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/symbolic/factor.hpp"
+#include "generator/symbolic/notation.hpp"
 
 namespace kanec::symbolic {
 
@@ -54,7 +55,7 @@ ex Articulated::rotation(Frame from, Frame to, int k) {
   ex& known = rotations_[{from, to}];
   const std::string other = to == 0 ? "0" : derivation_.mechanism().link(to).suffix;
   if (known.is_zero())
-    known = derivation_.define("C" + other + "_", "C_{" + other + "}", k, Pass::outward, value,
+    known = derivation_.define("C" + other + "_", "C_{" + latex_index(other) + ",#}", k, Pass::outward, value,
                                "takes components in the body to those in body " + other);
   return known;
 }

@@ -84,7 +84,7 @@ Carried CarriedMotion::turned(int k) {
   joint.arms = square("armsc", link.arms, "the same in the lower body's axes");
   joint.force = sums_.force_in_lower_axes(k);
   joint.torque = E_T * link.torque;
-  joint.origin = derivation_.define("Pddotc", "\\ddot P", k, Pass::outward,
+  joint.origin = derivation_.define("Pddotc", "\\ddot P'", k, Pass::outward,
                                     chain_.with_spin(sum(expanded(chain_.joint_point(k))), below),
                                     "acceleration of the body origin, less gravity, lower body's axes [m/s^2]");
   return joint;

@@ -4,19 +4,11 @@
 #include <utility>
 
 #include "generator/symbolic/factor.hpp"
+#include "generator/symbolic/notation.hpp"
 
 namespace kanec::symbolic {
 
 using GiNaC::ex;
-
-namespace {
-
-std::string column_name(const Derivation& derivation, const Coordinate& c) {
-  const Symbol& speed = derivation.equations.table.of(c.speed);
-  return speed.name + speed.suffix + "_";
-}
-
-}  // namespace
 
 Composites::Composites(Derivation& derivation, std::vector<bool> starts_anew)
     : derivation_(derivation),
@@ -60,7 +52,7 @@ void Composites::add(int k) {
 const ex& Composites::lower_moment(int k) {
   const auto [at, is_new] = lower_moment_.try_emplace(k);
   if (is_new)
-    at->second = define("hc", "h", k, derivation_.letters(k).to_lower * moment(k),
+    at->second = define("hc", "h'", k, derivation_.letters(k).to_lower * moment(k),
                         "first moment carried, about the body origin, lower body's axes [kg m]");
   return at->second;
 }
@@ -68,14 +60,23 @@ const ex& Composites::lower_moment(int k) {
 const ex& Composites::lower_inertia(int k) {
   const auto [at, is_new] = lower_inertia_.try_emplace(k);
   if (is_new)
-    at->second = derivation_.define("Jc", "J", k, Pass::inward, congruence(derivation_.letters(k).to_lower, inertia(k)),
-                                    "inertia carried, about the body origin, lower body's axes [kg m^2]", true);
+    at->second =
+        derivation_.define("Jc", "J'", k, Pass::inward, congruence(derivation_.letters(k).to_lower, inertia(k)),
+                           "inertia carried, about the body origin, lower body's axes [kg m^2]", true);
   return at->second;
 }
 
 ex Composites::define(const std::string& name, const std::string& latex, int link, const ex& value,
                       const std::string& meaning) {
   return derivation_.define(name, latex, link, Pass::inward, sum(expanded(value)), meaning);
+}
+
+// "B_omega1_", of a column of A.
+ex Composites::define_column(const std::string& letter, const Coordinate& column, int link, const ex& value,
+                             const std::string& meaning) {
+  const Symbol& speed = derivation_.equations.table.of(column.speed);
+  const std::string latex = letter + "_{#;" + notation(column.speed, derivation_.equations.table, Style::latex) + "}";
+  return define(letter + "_" + speed.name + speed.suffix + "_", latex, link, value, meaning);
 }
 
 // The wrench that a unit of the coordinate's speed rate takes.
@@ -97,7 +98,6 @@ Composites::Wrench Composites::unit(int k, const Coordinate& c) {
     case Freedom::Kind::turn:
       break;
   }
-  const std::string name = column_name(derivation_, c);
   const ex& pitch = derivation_.letters(k).pitch;
   ex force = skew(c.axis) * moment_[at];
   ex moment = inertia_[at] * c.axis;
@@ -105,12 +105,12 @@ Composites::Wrench Composites::unit(int k, const Coordinate& c) {
     force += pitch * mass_[at] * c.axis;
     moment += pitch * (skew(moment_[at]) * c.axis);
   }
-  return {define("B_" + name, "B", k, force, "force of a unit of the rate of the speed"), k,
-          define("K_" + name, "K", k, moment, "its moment about the body origin, body axes")};
+  return {define_column("B", c, k, force, "force of a unit of the rate of the speed"), k,
+          define_column("K", c, k, moment, "its moment about the body origin, body axes")};
 }
 
 // The same at the lower link: the joint's lever, and the moment where it passes one on.
-Composites::Wrench Composites::lowered(const Wrench& wrench, int k, const std::string& column) {
+Composites::Wrench Composites::lowered(const Wrench& wrench, int k, const Coordinate& column) {
   const int below = derivation_.lower(k);
   const ex force = derivation_.in_axes(wrench.force, wrench.frame, below);
   ex moment = skew(derivation_.joint_offsets[static_cast<std::size_t>(k)]) * force;
@@ -118,8 +118,8 @@ Composites::Wrench Composites::lowered(const Wrench& wrench, int k, const std::s
   const bool is_vector = shape_of(wrench.moment) == Shape::vector || shape_of(wrench.force) == Shape::vector;
   const Frame frame = derivation_.home(below) == below ? below : wrench.frame;
   if (!is_vector) return {frame == below ? force : wrench.force, frame, moment};
-  return {frame == below ? define("B_" + column, "B", below, force, "") : wrench.force, frame,
-          define("K_" + column, "K", below, moment, "")};
+  return {frame == below ? define_column("B", column, below, force, "") : wrench.force, frame,
+          define_column("K", column, below, moment, "")};
 }
 
 // A row of one number and a column of three make a block of one row: it is returned as a vector.
@@ -156,7 +156,6 @@ std::vector<MatrixBlock> Composites::columns(int link) {
   const std::vector<Coordinate>& own = derivation_.letters(link).coordinates;
   for (std::size_t j = 0; j < own.size(); ++j) {
     if (own[j].row < 0) continue;
-    const std::string name = column_name(derivation_, own[j]);
     Wrench wrench = unit(link, own[j]);
     for (int k = link; k > 0; k = derivation_.lower(k)) {
       const std::vector<Coordinate>& rows = derivation_.letters(k).coordinates;
@@ -167,7 +166,7 @@ std::vector<MatrixBlock> Composites::columns(int link) {
         if (!block.block.is_zero()) blocks.push_back(block);
       }
       if (is_cut(k) || derivation_.lower(k) == 0) break;
-      wrench = lowered(wrench, k, name);
+      wrench = lowered(wrench, k, own[j]);
     }
   }
   return blocks;
@@ -203,7 +202,7 @@ ex Composites::relative(const ex& R_J, const ex& Rt_K) {
   const auto known = rotations_.find(value);
   if (known != rotations_.end()) return known->second;
   const std::string lower = derivation_.mechanism().link(j).suffix;
-  const ex symbol = derivation_.define("C" + lower + "_", "C_{" + lower + "}", k, Pass::outward, value,
+  const ex symbol = derivation_.define("C" + lower + "_", "C_{" + latex_index(lower) + ",#}", k, Pass::outward, value,
                                        "takes components in the body to those in body " + lower);
   rotations_.emplace(value, symbol);
   return symbol;

@@ -49,13 +49,15 @@ class Composites {
   bool is_cut(int link) const { return starts_anew_[static_cast<std::size_t>(link)]; }
   bool passes_moment(int link) const { return derivation_.letters(link).turns_with_lower; }
   Wrench unit(int link, const Coordinate& coordinate);
-  Wrench lowered(const Wrench& wrench, int link, const std::string& column);
+  Wrench lowered(const Wrench& wrench, int link, const Coordinate& column);
   GiNaC::ex row(const Wrench& wrench, int link, const Coordinate& coordinate, bool column_is_wide, bool& transposed);
   GiNaC::ex with_names(const GiNaC::ex& value);
   GiNaC::ex relative(const GiNaC::ex& R_J, const GiNaC::ex& Rt_K);
   bool is_attitude(const GiNaC::ex& factor) const;
   GiNaC::ex define(const std::string& name, const std::string& latex, int link, const GiNaC::ex& value,
                    const std::string& meaning);
+  GiNaC::ex define_column(const std::string& letter, const Coordinate& column, int link, const GiNaC::ex& value,
+                          const std::string& meaning);
 
   Derivation& derivation_;
   std::vector<bool> starts_anew_;

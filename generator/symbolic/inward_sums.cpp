@@ -41,7 +41,7 @@ void InwardSums::add(int k, const Balance& balance) {
   force_[at] = derivation_.define("S", "S", k, Pass::inward, force,
                                   std::string("sum of the force balances of the subtree, ") +
                                       (derivation_.home(k) == 0 ? "inertial axes [N]" : "body axes [N]"));
-  moment_[at] = is_attitude ? derivation_.define(name_ + "_omega", name_ + "_{\\omega}", k, Pass::inward, moment,
+  moment_[at] = is_attitude ? derivation_.define(name_ + "_omega", name_ + "_{\\omega_{#}}", k, Pass::inward, moment,
                                                  "Kane's equation of omega [N m]")
                             : derivation_.define(
                                   "rho", "\\rho", k, Pass::inward, moment,

@@ -11,12 +11,6 @@ using GiNaC::ex;
 
 namespace {
 
-std::string component(const Coordinate& c) {
-  return c.freedom.kind == Freedom::Kind::slide || c.freedom.kind == Freedom::Kind::turn
-             ? std::to_string(c.freedom.coordinate + 1) + "_"
-             : "";
-}
-
 enum class Motion { as_given, at_rest };  // of ẏ
 
 // m a of a link; of a regrouped one m P̈ + U h. Home axes.
@@ -75,29 +69,22 @@ Residual residual(Derivation& derivation) {
 
 }  // namespace
 
-std::string row_name(const std::string& letter, const Coordinate& c) {
+RowLetter row_letter(const std::string& letter, const Letters& link, const Coordinate& c) {
   switch (c.freedom.kind) {
     case Freedom::Kind::attitude:
-      return letter + "_omega";
+      return {letter + "_omega", letter + "_{\\omega_{#}}"};
     case Freedom::Kind::turn:
-      return letter + "_theta";
+      return {letter + "_theta", letter + "_{\\theta_{#}}"};
     default:
-      return letter + "_sdot";
+      break;
   }
+  const bool is_one_of_many = c.freedom.kind == Freedom::Kind::slide && link.coordinates.size() > 1;
+  if (!is_one_of_many) return {letter + "_sdot", letter + "_{\\dot s_{#}}"};
+  const std::string component = std::to_string(c.freedom.coordinate + 1);
+  return {letter + "_sdot" + component + "_", letter + "_{\\dot s_{#," + component + "}}"};
 }
 
 namespace {
-
-std::string row_latex(const std::string& letter, const Coordinate& c) {
-  switch (c.freedom.kind) {
-    case Freedom::Kind::attitude:
-      return letter + "_{\\omega}";
-    case Freedom::Kind::turn:
-      return letter + "_{\\theta}";
-    default:
-      return letter + "_{\\dot s}";
-  }
-}
 
 std::string row_meaning(const Coordinate& c) {
   switch (c.freedom.kind) {
@@ -119,9 +106,8 @@ void fill(Derivation& derivation, const InwardSums& sums, const AppliedLoads& lo
       const Coordinate& c = coordinates[i];
       if (c.row < 0) continue;
       const ex value = sums.row(k, c) + sign * loads.effort[static_cast<std::size_t>(k)][i];
-      const bool is_one_of_many = c.freedom.kind == Freedom::Kind::slide && coordinates.size() > 1;
-      const ex symbol = derivation.define(row_name(letter, c) + (is_one_of_many ? component(c) : ""),
-                                          row_latex(letter, c), k, Pass::inward, value, row_meaning(c));
+      const RowLetter row = row_letter(letter, derivation.letters(k), c);
+      const ex symbol = derivation.define(row.name, row.latex, k, Pass::inward, value, row_meaning(c));
       function.outputs.push_back({symbol, c.row, 1, false});
     }
   }

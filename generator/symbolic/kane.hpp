@@ -22,7 +22,10 @@ Balance applied_less_inertia(Derivation& derivation, AccelerationChain& chain);
 // Inertia force and moment of each link, whatever is applied.
 Balance inertia_alone(Derivation& derivation, AccelerationChain& chain);
 
-// Name of Kane's equation of a coordinate: "r_sdot", "f_theta"; its unit.
-std::string row_name(const std::string& letter, const Coordinate& coordinate);
+// Of Kane's equation of one of a link's coordinates, its suffix left out: "r_sdot", "f_theta".
+struct RowLetter {
+  std::string name, latex;
+};
+RowLetter row_letter(const std::string& letter, const Letters& link, const Coordinate& coordinate);
 
 }  // namespace kanec::symbolic

@@ -146,7 +146,7 @@ class Definition {
     const Link& link = equations_.mechanism.link(j);
     Letters& l = letters(j);
     const Coordinate& turn = l.coordinates.front();
-    l.pitch = table_.add_numbers("pitch", "h", link.suffix, {Number::constant(link.pitch)});
+    l.pitch = table_.add_numbers("pitch", "\\operatorname{pitch}", link.suffix, {Number::constant(link.pitch)});
     const ex axis = table_.add_numbers("u", "u", link.suffix, entries(link.freedoms.front().axis));
     l.s += l.pitch * turn.value * axis;
     l.sdot += l.pitch * turn.speed * axis;
@@ -180,7 +180,7 @@ class Definition {
     pair_of_attitude(j, "R", "R", l.to_inertial, l.to_body);
     l.turns_with_lower = false;
     l.e = table_.add_state(Role::x, "e", "e", link.suffix, Shape::vector, at.eps);
-    l.eps4 = table_.add_state(Role::x, "eps4_", "\\varepsilon_{4}", link.suffix, Shape::scalar, at.eps + 3);
+    l.eps4 = table_.add_state(Role::x, "eps4_", "\\varepsilon_{4}^{(#)}", link.suffix, Shape::scalar, at.eps + 3);
     l.omega = table_.add_state(Role::y, "omega", "\\omega", link.suffix, Shape::vector, at.omega);
     const ex omegadot = table_.add_state(Role::ydot, "omegadot", "\\dot\\omega", link.suffix, Shape::vector, at.omega);
     l.coordinates.insert(l.coordinates.begin(), {link.freedoms.front(), 0, l.omega, omegadot, 0, at.omega, -1});
@@ -204,7 +204,7 @@ class Definition {
       const ex e =
           derivation_.define("erel", "e'", j, Pass::outward, lower.eps4 * l.e - l.eps4 * lower.e - skew(lower.e) * l.e,
                              "Euler parameters relative to the lower body");
-      const ex eps4 = derivation_.define("eps4rel", "\\varepsilon_4'", j, Pass::outward,
+      const ex eps4 = derivation_.define("eps4rel", "\\varepsilon_{4}^{\\prime\\,(#)}", j, Pass::outward,
                                          lower.eps4 * l.eps4 + dot(lower.e, l.e), "");
       value = rotation(e, eps4);
     }
@@ -317,7 +317,7 @@ class Definition {
         value += vector;
       } else {
         ex orientation, other;
-        constant_rotation(term.orientation, "Z" + name, "Z", index, orientation, other);
+        constant_rotation(term.orientation, "Z" + name, "Z_{" + name + "\\,#}", index, orientation, other);
         value += orientation * vector;
       }
     }
@@ -351,16 +351,16 @@ class Definition {
       return is_turned ? congruence(body.orientation, body.inertia) : body.inertia;
     };
     const auto define_inertia = [&](const ex& value) {
-      return derivation_.define("I_link", "I", j, Pass::outward, value,
+      return derivation_.define("I_link", "I_{\\mathrm{link}\\,#}", j, Pass::outward, value,
                                 "inertia of the link about its mass centre, link axes [kg m^2]", true);
     };
     const auto define_centre = [&](const ex& value) {
-      return derivation_.define("r_link", "r", j, Pass::outward, sum(expanded(value)),
+      return derivation_.define("r_link", "r_{\\mathrm{link}\\,#}", j, Pass::outward, sum(expanded(value)),
                                 "mass centre of the link, link axes [m]");
     };
     const auto& turned = equations_.mechanism.link(j).centre;
     const ex centre =
-        turned ? table_.add_numbers("rt", "r", equations_.mechanism.link(j).suffix, entries(*turned)) : ex(0);
+        turned ? table_.add_numbers("rt", "r'", equations_.mechanism.link(j).suffix, entries(*turned)) : ex(0);
     if (heavy.size() == 1) {
       l.mass = heavy[0]->mass;
       l.r = define_centre(turned ? centre : heavy[0]->offset + heavy[0]->orientation * heavy[0]->r);
@@ -372,10 +372,10 @@ class Definition {
       mass += body->mass;
       moment += body->mass * (body->offset + body->orientation * body->r);
     }
-    l.mass = derivation_.define("m_link", "m", j, Pass::outward, mass, "mass of the link [kg]");
+    l.mass = derivation_.define("m_link", "m_{\\mathrm{link}\\,#}", j, Pass::outward, mass, "mass of the link [kg]");
     if (!l.mass.is_zero()) l.r = define_centre(turned ? centre : moment / l.mass);
     for (const BodyFrame* body : heavy) {
-      const ex arm = derivation_.define("arm", "c", j, Pass::outward,
+      const ex arm = derivation_.define("arm", "c_{\\mathrm{arm}\\,#}", j, Pass::outward,
                                         sum(expanded(body->offset + body->orientation * body->r - l.r)), "");
       inertia += inertia_of(*body) - body->mass * (skew(arm) * skew(arm));
     }

@@ -5,6 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "generator/symbolic/notation.hpp"
+#include "runtime/base/fit.hpp"
+
 namespace kanec::symbolic {
 
 using GiNaC::ex;
@@ -46,9 +49,9 @@ class Loads {
     const BodyFrame& frame = derivation_.body(k);
     const std::string suffix = std::to_string(k);
     std::vector<Action> actions;
-    if (!scene::is_zero(body.force)) actions.push_back({centre_of(k), vector("F", suffix, body.force), 0, 0});
+    if (!scene::is_zero(body.force)) actions.push_back({centre_of(k), letter("F", suffix, body.force), 0, 0});
     if (!scene::is_zero(body.moment))
-      actions.push_back({{frame.link, 0}, 0, frame.orientation * vector("M", suffix, body.moment), frame.link});
+      actions.push_back({{frame.link, 0}, 0, frame.orientation * letter("M", suffix, body.moment), frame.link});
     return actions;
   }
 
@@ -71,10 +74,10 @@ class Loads {
   // Effort along a scalar coordinate; without its spring where that is conservative and not wanted. By name: GiNaC may
   // turn the sign of a sum that stands in a product, and not in every run the same way.
   ex effort(const Load& load, const ex& value, const ex& speed, bool with_spring) {
-    ex result = scalar("tau_", load, load.effort) - scalar("c_", load, load.damping) * speed;
+    ex result = scalar("tau", load, load.effort) - scalar("c", load, load.damping) * speed;
     const bool has_spring = with_spring || !is_conservative(load);
-    if (has_spring) result -= scalar("k_", load, load.stiffness) * stretch(load, value);
-    return define(has_spring ? "effort_" : "damping_", load, result, "along the coordinate [N m], [N]");
+    if (has_spring) result -= scalar("k", load, load.stiffness) * stretch(load, value);
+    return define(has_spring ? "effort" : "damping", load, result, "along the coordinate [N m], [N]");
   }
 
   // The coordinate that a joint load acts along, in letters; of a constant one the value alone.
@@ -98,7 +101,7 @@ class Loads {
     }
     const auto at = static_cast<std::size_t>(load.coordinate);
     const scene::Coordinate& locked = load.turn ? joint.turns[at] : joint.slides[at];
-    return {0, 0, constant("x_" + load.name + "_", locked.value), 0, 1};
+    return {0, 0, constant("x", load, locked.value), 0, 1};
   }
 
   // Along one of three translations: a force on the link at its origin, and the opposite on the lower link.
@@ -115,7 +118,7 @@ class Loads {
   Along along_component(int link, std::size_t at, const Coordinate& c, const Load& load) {
     scene::Vector unit;
     unit[static_cast<std::size_t>(load.coordinate)] = Number::constant(1);
-    const ex direction = vector("u_", load.name + "_", unit);
+    const ex direction = vector("u", load.name, unit);
     return {link, at, dot(direction, c.value), dot(direction, c.speed), direction};
   }
 
@@ -144,7 +147,7 @@ class Loads {
 
   ex energy(const Load& load) {
     if (!is_conservative(load)) return 0;
-    const ex k = scalar("k_", load, load.stiffness);
+    const ex k = scalar("k", load, load.stiffness);
     if (load.kind == Load::Kind::spring && load.rest.is_zero()) return k * square(load) / 2;
     const ex x = stretch(load, load.kind == Load::Kind::joint ? along(load).value : length(load));
     return k * x * x / 2;
@@ -152,7 +155,7 @@ class Loads {
 
  private:
   ex stretch(const Load& load, const ex& value) {
-    return define("stretch_", load, value - scalar("l_", load, load.rest), "stretch of the spring");
+    return define("stretch", load, value - scalar("l", load, load.rest), "stretch of the spring");
   }
 
   bool is_conservative(const Load& load) const {
@@ -160,23 +163,29 @@ class Loads {
     return is_spring && !load.stiffness.is_zero() && is_fixed(load.stiffness) && is_fixed(load.rest);
   }
 
-  ex vector(const std::string& name, const std::string& suffix, const scene::Vector& v) {
-    return remembered(name + suffix, [&] {
-      return derivation_.equations.table.add_numbers(name, name, suffix, {v[0], v[1], v[2]});
+  // Of a body's own load.
+  ex letter(const std::string& letter, const std::string& suffix, const scene::Vector& v) {
+    return remembered(letter + suffix, [&] {
+      return derivation_.equations.table.add_numbers(letter, letter, suffix, {v[0], v[1], v[2]});
     });
   }
 
-  ex scalar(const std::string& name, const Load& load, const Number& number) {
-    if (number.is_zero()) return 0;
-    return remembered(name + load.name + "_", [&] {
-      return derivation_.equations.table.add_numbers(name + load.name + "_",
-                                                     "\\mathrm{" + name.substr(0, name.size() - 1) + "}", "", {number});
-    });
+  ex vector(const std::string& letter, const std::string& name, const scene::Vector& v) {
+    return numbers(letter, name, {v[0], v[1], v[2]});
   }
 
-  ex constant(const std::string& name, double value) {
-    return value == 0 ? ex(0) : remembered(name, [&] {
-      return derivation_.equations.table.add_numbers(name, name, "", {Number::constant(value)});
+  ex scalar(const std::string& letter, const Load& load, const Number& number) {
+    return number.is_zero() ? ex(0) : numbers(letter, load.name, {number});
+  }
+
+  ex constant(const std::string& letter, const Load& load, double value) {
+    return scalar(letter, load, Number::constant(value));
+  }
+
+  ex numbers(const std::string& letter, const std::string& name, std::vector<Number> values) {
+    const LoadLetter named = load_letter(letter, name);
+    return remembered(named.name, [&] {
+      return derivation_.equations.table.add_numbers(named.name, named.latex, "", std::move(values));
     });
   }
 
@@ -190,8 +199,10 @@ class Loads {
   ex define(const std::string& name, const Load& load, const ex& value, const std::string& meaning) {
     const int first = std::min(1, derivation_.size());  // 0 where nothing moves
     const int link = std::max({first, derivation_.body(load.point.body).link, derivation_.body(load.other.body).link});
-    return remembered(name + load.name + "_", [&] {
-      return derivation_.define(name + load.name + "_", name.substr(0, name.size() - 1), link, Pass::outward, value,
+    const std::string full = load_letter(name, load.name).name;
+    const std::string latex = name.size() == 1 ? name : "\\mathrm{" + fit::latex(name) + "}";
+    return remembered(full, [&] {
+      return derivation_.define(full, latex_named(latex, load.name, link > 0 ? ",#" : ""), link, Pass::outward, value,
                                 meaning);
     });
   }
@@ -204,7 +215,7 @@ class Loads {
   Place place(const scene::Point& point, const std::string& name) {
     const BodyFrame& body = derivation_.body(point.body);
     if (scene::is_zero(point.r)) return {body.link, body.offset};
-    const ex r = vector("r_", name + "_", point.r);
+    const ex r = vector("r", name, point.r);
     return {body.link, sum(expanded(body.offset + body.orientation * r))};
   }
 
@@ -214,12 +225,12 @@ class Loads {
     const ex between =
         derivation_.origins[static_cast<std::size_t>(at.link)] - derivation_.origins[static_cast<std::size_t>(link)];
     return {link,
-            derivation_.define("arm", "c", link, Pass::outward,
+            derivation_.define("arm", "c_{\\mathrm{arm}\\,#}", link, Pass::outward,
                                derivation_.in_axes(between, 0, link) + derivation_.in_axes(at.at, at.link, link), "")};
   }
 
   std::pair<ex, Frame> in_its_axes(const Load& load) {
-    const ex value = vector((load.kind == Load::Kind::force ? "F_" : "M_") + load.name + "_", "", load.vector);
+    const ex value = vector(load.kind == Load::Kind::force ? "F" : "M", load.name, load.vector);
     if (load.axes == scene::Axes::inertial) return {value, 0};
     const int k =
         load.axes == scene::Axes::body ? load.point.body : scene_.lower[static_cast<std::size_t>(load.point.body - 1)];
@@ -239,24 +250,24 @@ class Loads {
   // --- springs between points
 
   ex line(const Load& load) {
-    return define("line_", load,
+    return define("line", load,
                   position(place(load.other, load.name + "_other")) - position(place(load.point, load.name)),
                   "from one end of the spring to the other, inertial axes [m]");
   }
   ex line_rate(const Load& load) {
-    return define("line_rate_", load,
+    return define("line_rate", load,
                   velocity(place(load.other, load.name + "_other")) - velocity(place(load.point, load.name)),
                   "its rate [m/s]");
   }
   ex square(const Load& load) {
-    return define("ll_", load, dot(line(load), line(load)) + least_square(), "length squared [m^2]");
+    return define("ll", load, dot(line(load), line(load)) + least_square(), "length squared [m^2]");
   }
-  ex length(const Load& load) { return define("length_", load, GiNaC::sqrt(square(load)), "length [m]"); }
+  ex length(const Load& load) { return define("length", load, GiNaC::sqrt(square(load)), "length [m]"); }
 
   // Attraction by the length: k (1 - rest / l) + c (d . ddot) / l².
   ex attraction(const Load& load, bool with_spring) {
-    const ex k = with_spring ? scalar("k_", load, load.stiffness) : ex(0);
-    const ex rest = scalar("l_", load, load.rest), c = scalar("c_", load, load.damping);
+    const ex k = with_spring ? scalar("k", load, load.stiffness) : ex(0);
+    const ex rest = scalar("l", load, load.rest), c = scalar("c", load, load.damping);
     ex value = k;
     if (!rest.is_zero() && !k.is_zero()) value -= k * rest / length(load);
     if (!c.is_zero()) value += c * dot(line(load), line_rate(load)) / square(load);
@@ -266,15 +277,15 @@ class Loads {
   std::vector<Action> spring(const Load& load) {
     const ex value = attraction(load, true);
     if (value.is_zero()) return {};
-    const ex factor = define("f_", load, value, "attraction by the length [N/m]");
-    const ex force = define("F_", load, factor * line(load), "on the first end, inertial axes [N]");
+    const ex factor = define("f", load, value, "attraction by the length [N/m]");
+    const ex force = define("F", load, factor * line(load), "on the first end, inertial axes [N]");
     return {{place(load.point, load.name), force, 0, 0}, {place(load.other, load.name + "_other"), -force, 0, 0}};
   }
 
   ex spring_power(const Load& load, bool conservative) {
     const bool with_spring = conservative || !is_conservative(load);
-    const ex value = define(with_spring ? "f_" : "f_damping_", load, attraction(load, with_spring),
-                            "attraction by the length [N/m]");
+    const ex value =
+        define(with_spring ? "f" : "f_damping", load, attraction(load, with_spring), "attraction by the length [N/m]");
     if (value.is_zero()) return 0;
     return -value * dot(line(load), line_rate(load));
   }
@@ -292,13 +303,17 @@ void apply(Derivation& derivation, const Action& action, AppliedLoads& sums) {
   if (!action.moment.is_zero()) sums.moment[at] += derivation.in_axes(action.moment, action.frame, link);
   if (action.force.is_zero()) return;
   sums.force[at] += derivation.in_axes(action.force, action.frame, derivation.home(link));
-  const ex lever =
-      derivation.define("lever", "c", link, Pass::outward, sum(expanded(action.place.at - derivation.inertia(link).reference)),
-                        "from the reference point to where a force acts, link axes [m]");
+  const ex lever = derivation.define("lever", "c", link, Pass::outward,
+                                     sum(expanded(action.place.at - derivation.inertia(link).reference)),
+                                     "from the reference point to where a force acts, link axes [m]");
   if (!lever.is_zero()) sums.moment[at] += skew(lever) * derivation.in_axes(action.force, action.frame, link);
 }
 
 }  // namespace
+
+LoadLetter load_letter(const std::string& letter, const std::string& load) {
+  return {letter + "_" + load + "_", latex_named(letter == "tau" ? "\\tau" : letter, load)};
+}
 
 AppliedLoads applied_loads(Derivation& derivation) {
   Loads loads(derivation);

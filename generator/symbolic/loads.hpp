@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "generator/symbolic/derivation.hpp"
@@ -16,6 +17,12 @@ struct AppliedLoads {
   std::vector<GiNaC::ex>
       through_joint;  // part of `force`: of each link's own joint along a translation by three, home axes [N]
 };
+
+// The letter of a number of a load: tau, k, c, l (its rest), F or M, and r, where it acts.
+struct LoadLetter {
+  std::string name, latex;  // "tau_motor_", "\tau_{\text{motor}}"
+};
+LoadLetter load_letter(const std::string& letter, const std::string& load);
 
 AppliedLoads applied_loads(Derivation& derivation);
 

@@ -4,6 +4,7 @@
 #include "generator/symbolic/acceleration_chain.hpp"
 #include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/loads.hpp"
+#include "generator/symbolic/notation.hpp"
 #include "generator/symbolic/partials.hpp"
 #include "generator/symbolic/stages.hpp"
 #include "runtime/base/error.hpp"
@@ -28,8 +29,8 @@ void derive_kinematics(Derivation& derivation) {
           derivation.define("w", "w", k, Pass::outward, link.omega / 2, "half the angular velocity [rad/s]");
       const ex edot = derivation.define("edot", "\\dot e", k, Pass::outward, link.eps4 * half + skew(link.e) * half,
                                         "rates of eps_1, eps_2, eps_3 [1/s]");
-      const ex eps4dot = derivation.define("eps4dot", "\\dot\\varepsilon_{4}", k, Pass::outward, -dot(link.e, half),
-                                           "rate of eps_4 [1/s]");
+      const ex eps4dot = derivation.define("eps4dot", "\\dot\\varepsilon_{4}^{(#)}", k, Pass::outward,
+                                           -dot(link.e, half), "rate of eps_4 [1/s]");
       function.outputs.push_back({edot, at, 1, false});
       function.outputs.push_back({eps4dot, at + 3, 1, false});
     }
@@ -136,8 +137,8 @@ namespace {
 ex place_of(Derivation& derivation, const scene::Point& point) {
   const BodyFrame& body = derivation.body(point.body);
   if (scene::is_zero(point.r)) return body.offset;
-  const ex r =
-      derivation.equations.table.add_numbers("r_" + point.name + "_", "r", "", {point.r[0], point.r[1], point.r[2]});
+  const ex r = derivation.equations.table.add_numbers("r_" + point.name + "_", latex_named("r", point.name), "",
+                                                      {point.r[0], point.r[1], point.r[2]});
   return sum(expanded(body.offset + body.orientation * r));
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/symbolic/notation.hpp"
 
+#include <algorithm>
+
 #include "generator/symbolic/order.hpp"
+#include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::symbolic {
@@ -60,28 +63,59 @@ class Notation {
 
   std::string letter(const Symbol& symbol, const std::string& accent) const {
     const Symbol& named = symbol.is_transpose ? table_.of(symbol.transpose) : symbol;
-    const std::string& name = named.name;
-    const std::string& suffix = named.suffix;
-    if (latex_) {
-      const std::string base = accent.empty() ? named.latex : accent + "{" + named.latex + "}";
-      const bool indexed = base.find('_') != std::string::npos || suffix.empty();
-      const std::string subscript = suffix.empty() ? "" : indexed ? "^{(" + suffix + ")}" : "_{" + suffix + "}";
-      return base + subscript + (symbol.is_transpose ? (indexed ? "{}^{T}" : "^{T}") : "");
+    if (latex_) return latex_letter(named, accent, symbol.is_transpose);
+    return named.name + named.suffix + accent + (symbol.is_transpose ? "^T" : "");
+  }
+
+  // The accent stands over the letter alone, the index at # or below it.
+  static std::string latex_letter(const Symbol& symbol, const std::string& accent, bool transposed) {
+    const std::string index = latex_index(symbol.suffix);
+    std::string whole = symbol.latex;
+    const std::size_t place = found(whole, "#", everywhere);
+    if (place != std::string::npos) whole.replace(place, 1, index);
+    const std::size_t end = std::min(found(whole, "_^'", 0), whole.size());
+    std::string nucleus = whole.substr(0, end), scripts = whole.substr(end);
+    if (!accent.empty()) nucleus = accent + "{" + nucleus + "}";
+    if (place == std::string::npos && !index.empty()) {
+      if (found(scripts, "_", 0) == std::string::npos)
+        scripts = "_{" + index + "}" + scripts;
+      else
+        scripts = scripts + "{}_{" + index + "}";
     }
-    return name + suffix + accent + (symbol.is_transpose ? "^T" : "");
+    return transposed ? raised_latex(nucleus + scripts, "T") : nucleus + scripts;
+  }
+
+  // Behind a superscript that is there already.
+  static std::string raised_latex(const std::string& base, const std::string& exponent) {
+    return base + (found(base, "^'", 0) == std::string::npos ? "^{" : "{}^{") + exponent + "}";
+  }
+  std::string raised(const std::string& base, const std::string& exponent) const {
+    return latex_ ? raised_latex(base, exponent) : base + "^" + exponent;
+  }
+
+  // The first of some characters within so many braces; none after a backslash.
+  static constexpr int everywhere = 1000;
+  static std::size_t found(const std::string& text, const std::string& characters, int deepest) {
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (depth <= deepest && characters.find(text[i]) != std::string::npos) return i;
+      depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+      if (text[i] == '\\') ++i;
+    }
+    return std::string::npos;
   }
 
   std::string function(const ex& e) const {
     const auto argument = [&](std::size_t i) { return of(e.op(i)); };
     if (is_ex_the_function(e, skew)) return skew_of(e.op(0));
     if (is_ex_the_function(e, dot)) return grouped(e.op(0)) + (latex_ ? " \\cdot " : " . ") + grouped(e.op(1));
-    if (is_ex_the_function(e, inverse)) return argument(0) + "^" + (latex_ ? "{-1}" : "-1");
+    if (is_ex_the_function(e, inverse)) return raised(argument(0), "-1");
     if (is_ex_the_function(e, gyroscopic)) return skew_of(e.op(1)) + " " + argument(0) + " " + argument(1);
     if (is_ex_the_function(e, turn))
-      return (latex_ ? "\\mathrm{Rot}(" : "Rot(") + argument(0) + ", " + argument(1) + ")";
+      return (latex_ ? "\\operatorname{Rot}(" : "Rot(") + argument(0) + ", " + argument(1) + ")";
     if (is_ex_the_function(e, congruence) || is_ex_the_function(e, similarity))
       return argument(0) + " " + grouped(e.op(1)) + " " + of(table_.of(e.op(0)).transpose);
-    if (is_ex_the_function(e, outer)) return grouped(e.op(0)) + " " + argument(1) + "^T";
+    if (is_ex_the_function(e, outer)) return grouped(e.op(0)) + " " + raised(argument(1), "T");
     if (is_ex_the_function(e, ldl)) return factors_of(argument(0));
     if (is_ex_the_function(e, forward)) return solved("L", "-1", e);
     if (is_ex_the_function(e, scaled)) return solved("D", "-1", e);
@@ -92,11 +126,11 @@ class Notation {
       return "1 + 2 " + skew_of(e.op(0)) + " (" + argument(1) + " + " + skew_of(e.op(0)) + ")";
     }
     if (is_ex_the_function(e, second_moment)) return second_moment_of(argument(0));
-    return (latex_ ? "\\mathrm{axial}(" : "axial(") + argument(0) + " " + second_moment_of(argument(1)) + ")";
+    return (latex_ ? "\\operatorname{axial}(" : "axial(") + argument(0) + " " + second_moment_of(argument(1)) + ")";
   }
 
   std::string second_moment_of(const std::string& inertia) const {
-    const std::string trace = latex_ ? "\\tfrac12\\mathrm{tr}(" + inertia + ")" : "tr(" + inertia + ")/2";
+    const std::string trace = latex_ ? "\\tfrac12\\operatorname{tr}(" + inertia + ")" : "tr(" + inertia + ")/2";
     return "(" + trace + " - " + inertia + ")";
   }
 
@@ -129,7 +163,8 @@ class Notation {
 
   std::string reciprocal(const ex& e) const {
     const std::string exponent = of(e.op(1));
-    return of(e.op(0)) + "^" + (latex_ ? "{" + exponent + "}" : exponent);
+    const std::string base = GiNaC::is_a<Atom>(e.op(0)) ? of(e.op(0)) : "(" + of(e.op(0)) + ")";
+    return raised(base, exponent);
   }
 
   // "1e-36", where a fraction would have dozens of digits.
@@ -157,5 +192,21 @@ class Notation {
 }  // namespace
 
 std::string notation(const ex& e, const SymbolTable& table, Style style) { return Notation(table, style).of(e); }
+
+std::string latex_named(const std::string& letter, const std::string& name, const std::string& more) {
+  return letter + "_{\\text{" + fit::latex(name) + "}" + more + "}";
+}
+
+std::string latex_index(const std::string& suffix) {
+  std::string result;
+  for (const char c : suffix) {
+    if (c != '_')
+      result += c;
+    else if (!result.empty() && result.back() != ',')
+      result += ',';
+  }
+  if (!result.empty() && result.back() == ',') result.pop_back();
+  return result;
+}
 
 }  // namespace kanec::symbolic

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/symbolic/factor.hpp"
+#include "generator/symbolic/notation.hpp"
 #include "generator/symbolic/partials.hpp"
 
 namespace kanec::symbolic {
@@ -82,12 +83,14 @@ class Partials {
         continue;
       }
       const Symbol letter = derivation_.equations.table.of(speed.letter);  // a copy: define() moves the table
+      const std::string index = "_{#," + notation(speed.letter, derivation_.equations.table, Style::latex) + "}";
       const ex value = factored(block);
       const ex symbol =
-          derivation_.define(name + letter.name + letter.suffix + "_", latex, k, Pass::outward, value, meaning);
+          derivation_.define(name + letter.name + letter.suffix + "_", latex + index, k, Pass::outward, value, meaning);
       if (!symbol.is_equal(value))
-        rates_.set(symbol, derivation_.define(name + "dot_" + letter.name + letter.suffix + "_", "\\dot " + latex, k,
-                                              Pass::outward, factored(rates_.of(value)), "its rate"));
+        rates_.set(symbol,
+                   derivation_.define(name + "dot_" + letter.name + letter.suffix + "_", "\\dot " + latex + index, k,
+                                      Pass::outward, factored(rates_.of(value)), "its rate"));
       result[column] = symbol;
     }
     return result;

@@ -35,6 +35,11 @@ void SymbolTable::pair(const ex& a, const ex& b) {
   symbols_[index(b)].is_transpose = true;
 }
 
+void SymbolTable::rename(const ex& atom, const std::string& name, const std::string& latex) {
+  symbols_[index(atom)].name = name;
+  symbols_[index(atom)].latex = latex;
+}
+
 ex SymbolTable::transposed(const ex& e) const {
   return symbolic::transposed(e, [this](const Atom& atom) { return of(atom).transpose; });
 }

@@ -17,7 +17,7 @@ enum class Role { x, y, ydot, numbers, quantity };
 struct Symbol {
   GiNaC::ex atom;
   std::string name;   // "omega", as in the code; the suffix follows
-  std::string latex;  // "\omega"
+  std::string latex;  // "\omega", or with a # where the suffix goes: "f_{\dot s_{#}}"
   Role role;
   std::string suffix;                  // of the link or body: "3", "3a"; empty where none
   int at = 0;                          // x, y, ydot: index of the first entry
@@ -36,6 +36,9 @@ class SymbolTable {
                         std::vector<scene::Number> numbers);  // 1, 3 or 9
   // Declares b the transpose of a, printed as aᵀ.
   void pair(const GiNaC::ex& a, const GiNaC::ex& b);
+
+  // Other letters for a symbol that is printed as another one is.
+  void rename(const GiNaC::ex& atom, const std::string& name, const std::string& latex);
 
   const Symbol& of(const GiNaC::ex& atom) const { return symbols_[index(atom)]; }
   const Symbol& of(const Atom& atom) const { return symbols_[static_cast<std::size_t>(atom.index())]; }

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "generator/emit/grids.hpp"
 #include "generator/emit/tables.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
@@ -21,8 +22,9 @@ namespace {
 constexpr auto footer = R"(Example: the source's six bodies, on paper
   kanec derive --connection 0,1,2,2,1,5 --format latex -o six.tex && pdflatex six.tex
 
-Prints the connection array, u(K), the state vectors, the kinematical equations, positions, velocities, partial
-velocities and their time derivatives, A and f; R1^T is R_1 transposed, a~ the skew matrix of a.
+Prints the bodies, the connection array, u(K), the state vectors, the kinematical equations, rotations, positions,
+velocities, partial velocities and their time derivatives, block by block and one matrix a body, A, f and the loads;
+R1^T is R_1 transposed, a~ the skew matrix of a.
 
   kanec derive models/arm_6 --reduction --functions accelerations
 
@@ -37,6 +39,17 @@ struct Options {
   std::string output;
 };
 
+// A line by the heads of its columns.
+Json lines_json(const emit::Grid& grid) {
+  Json lines = Json::array();
+  for (const std::vector<std::string>& line : grid.lines) {
+    Json cells;
+    for (std::size_t i = 0; i < line.size(); ++i) cells[grid.columns[i].head] = line[i];
+    lines.push_back(std::move(cells));
+  }
+  return lines;
+}
+
 Json tables_json(const symbolic::Equations& equations) {
   Json tables = Json::array();
   for (const emit::Table& table : emit::tables(equations, symbolic::Style::text)) {
@@ -45,8 +58,14 @@ Json tables_json(const symbolic::Equations& equations) {
     tables.push_back({{"title", table.title}, {"rows", std::move(rows)}});
   }
   const scene::Scene& scene = equations.scene;
-  return {{"model", scene.name},        {"connection", scene.lower}, {"depth", scene::depth(scene.lower)},
-          {"nx", n_coordinates(scene)}, {"ny", n_speeds(scene)},     {"tables", std::move(tables)}};
+  return {{"model", scene.name},
+          {"connection", scene.lower},
+          {"depth", scene::depth(scene.lower)},
+          {"nx", n_coordinates(scene)},
+          {"ny", n_speeds(scene)},
+          {"tables", std::move(tables)},
+          {"bodies", lines_json(emit::body_grid(equations, symbolic::Style::text))},
+          {"loads", lines_json(emit::load_grid(equations, symbolic::Style::text))}};
 }
 
 std::string reduction_document(const scene::Scene& scene, const std::vector<std::string>& functions, bool json) {

@@ -20,10 +20,21 @@ TEST_F(Derive, text_has_the_tables_of_the_source) {
   for (const char* line :
        {"L(K) = (0, 1, 2, 2, 1, 5)", "u(K) = (0, 1, 2, 2, 1, 2)", "size of x = 42", "size of y = 36"})
     EXPECT_THAT(text, HasSubstr(line));
-  for (const char* title :
-       {"State vectors", "Kinematical equations", "Positions", "Velocities", "Partial velocities",
-        "Partial angular velocities", "Time derivatives of the partial velocities", "Equations of motion"})
+  for (const char* title : {"State vectors", "Kinematical equations", "Positions", "Velocities", "Partial velocities",
+                            "Partial angular velocities", "Partial velocities, one matrix a body",
+                            "Time derivatives of the partial velocities", "Equations of motion", "Loads"})
     EXPECT_THAT(text, HasSubstr(title));
+}
+
+TEST_F(Derive, json_has_bodies_and_loads_by_the_heads_of_their_columns) {
+  const json tables = json_of(with({"--json"}));
+  EXPECT_EQ(tables.at("bodies").size(), 6u);
+  EXPECT_EQ(
+      tables.at("bodies")[1],
+      json({{"K", "2"}, {"name", "body_2"}, {"joint", "free"}, {"coordinates", "eps_body_2_1 to 4, s_body_2_1 to 3"}}));
+  EXPECT_EQ(tables.at("loads").size(), 12u);
+  EXPECT_EQ(tables.at("loads")[0].at("letter"), "F1");
+  EXPECT_EQ(tables.at("loads")[0].at("unit"), "N");
 }
 
 TEST_F(Derive, json_has_the_same_tables_as_text) {
@@ -43,8 +54,8 @@ TEST_F(Derive, json_has_the_same_tables_as_text) {
 TEST_F(Derive, latex_compiles_as_it_is) {
   EXPECT_EQ(kanec(with({"--format", "latex", "-o", "six.tex"})).status, 0);
   const std::string latex = read_file(work() / "six.tex");
-  EXPECT_THAT(latex, HasSubstr("\\dim x &= 42"));
-  EXPECT_THAT(latex, HasSubstr("\\dim y &= 36"));
+  EXPECT_THAT(latex, HasSubstr("\\row{\\dim x}{42}"));
+  EXPECT_THAT(latex, HasSubstr("\\row{\\dim y}{36}"));
   EXPECT_EQ(names(work()), std::vector<std::string>{"six.tex"});
   if (!find_program("pdflatex")) GTEST_SKIP() << "pdflatex is not installed";
   const ProcessResult result = run_process({"pdflatex", "-interaction=nonstopmode", "-halt-on-error",

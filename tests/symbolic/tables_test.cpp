@@ -5,8 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <map>
+#include <set>
+#include <stdexcept>
+
 #include "generator/scene/read.hpp"
 #include "generator/symbolic/derive.hpp"
+#include "tests/symbolic/sample_documents.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -40,12 +46,14 @@ TEST_P(TablesTest, stand_in_the_order_of_the_source) {
   std::vector<std::string> titles;
   for (const Table& table : tables(equations(), Style::text))
     titles.push_back(table.title.substr(0, table.title.find_first_of("(,")));
-  EXPECT_THAT(titles, testing::ElementsAre("Connection array L", "State vectors", "Kinematical equations",
-                                           "Positions of the mass centres", "Velocities of the mass centres",
-                                           "Partial angular velocities ", "Partial velocities ",
-                                           "Time derivatives of the partial angular velocities ",
-                                           "Time derivatives of the partial velocities ", "Equations of motion",
-                                           "Blocks of A ", "f"));
+  const std::string rates = "Time derivatives of the partial ";
+  EXPECT_THAT(titles,
+              testing::ElementsAre("Connection array L", "State vectors", "Kinematical equations",
+                                   "Rotations and angular velocities of the joints", "Positions of the mass centres",
+                                   "Velocities of the mass centres", "Partial angular velocities ",
+                                   "Partial angular velocities", "Partial velocities ", "Partial velocities",
+                                   rates + "angular velocities ", rates + "angular velocities", rates + "velocities ",
+                                   rates + "velocities", "Equations of motion", "Blocks of A ", "f"));
 }
 
 TEST_P(TablesTest, connection_array_and_steps_to_the_reference_body) {
@@ -71,6 +79,13 @@ TEST_P(TablesTest, kinematical_equations_of_every_body) {
     expected.push_back({"d/dt s" + k, "sdot" + k});
   }
   EXPECT_THAT(rows("Kinematical equations"), ElementsAreArray(expected));
+}
+
+TEST_P(TablesTest, rotations_are_of_euler_parameters) {
+  Rows expected;
+  for (const std::string k : {"1", "2", "3", "4", "5", "6"})
+    expected.push_back({"R" + k + "^T", "1 + 2 e" + k + "~ (eps4_" + k + " + e" + k + "~)"});
+  EXPECT_THAT(rows("Rotations"), ElementsAreArray(expected));
 }
 
 TEST_P(TablesTest, positions_run_up_the_tree) {
@@ -158,6 +173,38 @@ TEST_P(TablesTest, partial_velocity_rates_block_by_block) {
                                     {"d/dt v6,sdot6", "R5^T omega5~"}}));
 }
 
+TEST_P(TablesTest, partial_velocities_one_matrix_a_body) {
+  EXPECT_THAT(rows("Partial velocities, one matrix a body"),
+              ElementsAreArray(Rows{{"[v1,y1]", "[-R1^T r1~, 0, 0, 0, 0, 0]"},
+                                    {"[v1,y2]", "[1, 0, 0, 0, 0, 0]"},
+                                    {"[v2,y1]", "[-R1^T (q2~ + s2~), -R2^T r2~, 0, 0, 0, 0]"},
+                                    {"[v2,y2]", "[1, R1^T, 0, 0, 0, 0]"},
+                                    {"[v3,y1]", "[-R1^T (q2~ + s2~), -R2^T (q3~ + s3~), -R3^T r3~, 0, 0, 0]"},
+                                    {"[v3,y2]", "[1, R1^T, R2^T, 0, 0, 0]"},
+                                    {"[v4,y1]", "[-R1^T (q2~ + s2~), -R2^T (q4~ + s4~), 0, -R4^T r4~, 0, 0]"},
+                                    {"[v4,y2]", "[1, R1^T, 0, R2^T, 0, 0]"},
+                                    {"[v5,y1]", "[-R1^T (q5~ + s5~), 0, 0, 0, -R5^T r5~, 0]"},
+                                    {"[v5,y2]", "[1, 0, 0, 0, R1^T, 0]"},
+                                    {"[v6,y1]", "[-R1^T (q5~ + s5~), 0, 0, 0, -R5^T (q6~ + s6~), -R6^T r6~]"},
+                                    {"[v6,y2]", "[1, 0, 0, 0, R1^T, R5^T]"}}));
+}
+
+TEST_P(TablesTest, partial_velocity_rates_one_matrix_a_body) {
+  const Rows all = rows("Time derivatives of the partial velocities, one matrix a body");
+  ASSERT_EQ(all.size(), 12u);
+  EXPECT_EQ(all[4], Row("[d/dt v3,y1]",
+                        "[-R1^T (omega1~ (q2~ + s2~) + sdot2~), -R2^T (omega2~ (q3~ + s3~) + sdot3~), "
+                        "-R3^T omega3~ r3~, 0, 0, 0]"));
+  EXPECT_EQ(all[5], Row("[d/dt v3,y2]", "[0, R1^T omega1~, R2^T omega2~, 0, 0, 0]"));
+}
+
+TEST_P(TablesTest, partial_angular_velocities_one_matrix_a_body) {
+  const Rows all = rows("Partial angular velocities, one matrix a body");
+  ASSERT_EQ(all.size(), 12u);
+  EXPECT_EQ(all[4], Row("[omega3,y1]", "[0, 0, 1, 0, 0, 0]"));
+  EXPECT_EQ(all[5], Row("[omega3,y2]", "[0, 0, 0, 0, 0, 0]"));
+}
+
 TEST_P(TablesTest, equations_of_motion_are_kanes) {
   EXPECT_THAT(rows("Equations of motion"),
               ElementsAreArray(Rows{
@@ -168,11 +215,12 @@ TEST_P(TablesTest, equations_of_motion_are_kanes) {
 }
 
 // Oracle: A and f of two bodies, multiplied out by hand from v_1 = (-R1^T r1~, 0; 1, 0), v_2 = (-R1^T d2~, -R2^T r2~;
-// 1, R1^T) with d2 = q2 + s2, C1_2 = R1 R2^T, h1 = m1 r1 + m2 d2, h2 = m2 r2, J the inertia of what a body carries about
-// its origin.
+// 1, R1^T) with d2 = q2 + s2, C1_2 = R1 R2^T, h1 = m1 r1 + m2 d2, h2 = m2 r2, J the inertia of what a body carries
+// about its origin.
 TEST(Tables, blocks_of_a_and_f_of_two_bodies) {
   const std::vector<Table> all = tables(symbolic::derive(scene::from_connection({0, 1})), Style::text);
-  EXPECT_THAT(all[10].rows, UnorderedElementsAreArray(Rows{{"A[omega1, omega1]", "J1"},
+  ASSERT_EQ(all.size(), 17u);
+  EXPECT_THAT(all[15].rows, UnorderedElementsAreArray(Rows{{"A[omega1, omega1]", "J1"},
                                                            {"A[omega1, omega2]", "-d2~ C1_2 h2~"},
                                                            {"A[omega1, sdot1]", "h1~ R1"},
                                                            {"A[omega1, sdot2]", "m2 d2~"},
@@ -189,7 +237,7 @@ TEST(Tables, blocks_of_a_and_f_of_two_bodies) {
                                                            {"J1", "-m1 r1~ r1~ + I1 - m2 d2~ d2~"},
                                                            {"J2", "-m2 r2~ r2~ + I2"},
                                                            {"m_sub1", "m1 + m2"}}));
-  EXPECT_THAT(all[11].rows, UnorderedElementsAreArray(Rows{{"d2", "q2 + s2"},
+  EXPECT_THAT(all[16].rows, UnorderedElementsAreArray(Rows{{"d2", "q2 + s2"},
                                                            {"Pddot1", "-g"},
                                                            {"U1", "omega1~ omega1~"},
                                                            {"U2", "omega2~ omega2~"},
@@ -203,7 +251,8 @@ TEST(Tables, blocks_of_a_and_f_of_two_bodies) {
                                                            {"f_omega2", "r2~ R2 G2 + N2"},
                                                            {"f_sdot2", "R1 G2"},
                                                            {"f_omega1", "r1~ R1 G1 + d2~ R1 G2 + N1"},
-                                                           {"S1", "G1 + G2"}}));
+                                                           {"S1", "G1 + G2"},
+                                                           {"f_sdot1", "S1"}}));
 }
 
 TEST(Tables, text_holds_every_row_of_every_table) {
@@ -213,6 +262,106 @@ TEST(Tables, text_holds_every_row_of_every_table) {
     EXPECT_THAT(text, testing::HasSubstr("\n" + table.title + "\n"));
     for (const auto& [left, right] : table.rows)
       EXPECT_THAT(text, testing::HasSubstr("  " + left + " = " + right + "\n"));
+  }
+}
+
+// --- whole and without contradiction, whatever the scene
+
+const Table& table_of(const std::vector<Table>& all, const std::string& title) {
+  for (const Table& table : all)
+    if (table.title.rfind(title, 0) == 0) return table;
+  throw std::runtime_error("no table " + title);
+}
+
+std::vector<symbolic::Equations> samples() {
+  const symbolic::Way as_typed{{.place_origins = false, .regroup = false, .turn_axes = false}};
+  std::vector<symbolic::Equations> all;
+  for (const std::filesystem::path& file : test::shipped_scenes())
+    if (const scene::Scene scene = scene::read(file); size(scene) < 40)
+      all.push_back(symbolic::derive(scene, {}, as_typed));
+  for (int seed = 0; seed < 30; ++seed)
+    all.push_back(symbolic::derive(test::scene_with_rough_names(seed), {}, as_typed));
+  return all;
+}
+
+TEST(Tables, f_has_a_row_a_speed_in_the_order_of_y) {
+  const std::string body = "name = 'one'\nconnection = [0]\n[inputs]\nu = 0\n[[body]]\nmass = 2\ninertia = [1, 1, 1]\n";
+  const scene::Scene scene = scene::parse(body + "force = [0, 0, 'u']\n", "one.toml");
+  const std::vector<Table> all = tables(symbolic::derive(scene), Style::text);
+  EXPECT_THAT(table_of(all, "f, with").rows,
+              ElementsAreArray(Rows{{"N1", "-omega1~ I1 omega1"}, {"f_omega1", "N1"}, {"f_sdot1", "F1"}}));
+  const std::vector<Table> still = tables(symbolic::derive(scene::parse(body, "one.toml")), Style::text);
+  EXPECT_THAT(table_of(still, "f, with").rows.back(), Row("f_sdot1", "0"));
+  for (const symbolic::Equations& equations : samples()) {
+    if (equations.speeds.empty()) continue;
+    int n_rows = 0;
+    const std::vector<Table> tables = emit::tables(equations, Style::text);
+    for (const Row& row : table_of(tables, "f, with").rows) n_rows += row.first.rfind("f_", 0) == 0;
+    EXPECT_GE(n_rows, static_cast<int>(equations.speeds.size())) << equations.scene.name;
+  }
+}
+
+TEST(Tables, state_vectors_have_a_semicolon_between_two_parts_alone) {
+  const auto x = [](const char* model) {
+    const symbolic::Equations equations =
+        symbolic::derive(scene::read(std::string(KANEC_SOURCE_DIR "/models/") + model + "/scene.toml"));
+    return table_of(tables(equations, Style::text), "State").rows[0].second;
+  };
+  EXPECT_EQ(x("pendulum"), "(theta1)");
+  EXPECT_EQ(x("cart_pole"), "(theta2; s1)");
+  EXPECT_EQ(x("hard/contact"), "(s1)");
+}
+
+TEST(Tables, a_left_side_has_one_right_side) {
+  for (const symbolic::Equations& equations : samples())
+    for (const Style style : {Style::text, Style::latex}) {
+      std::map<std::string, std::string> known;
+      for (const Table& table : tables(equations, style))
+        for (const auto& [left, right] : table.rows) {
+          EXPECT_NE(left, right) << equations.scene.name;
+          if (left == "A\\dot y" || left == "A ydot" || left == "f" || left == "A" || left == "r") continue;
+          EXPECT_EQ(known.emplace(left, right).first->second, right) << equations.scene.name << ": " << left;
+        }
+    }
+}
+
+// The words of a row that are quantities, without what stands for transposes and skew matrices.
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> result = {""};
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '\'')
+      result.back() += c;
+    else if (!result.back().empty())
+      result.emplace_back();
+  }
+  return result;
+}
+
+TEST(Tables, every_quantity_that_is_shown_is_told) {
+  for (const symbolic::Equations& equations : samples()) {
+    std::set<std::string> quantities, told;
+    for (const symbolic::Quantity& quantity : equations.quantities) {
+      const symbolic::Symbol& symbol = equations.table.of(quantity.symbol);
+      quantities.insert((symbol.is_transpose ? equations.table.of(symbol.transpose).name : symbol.name) +
+                        symbol.suffix);
+    }
+    // a number of the scene may have the name of a quantity, which then has a prime
+    for (const symbolic::Symbol& symbol : equations.table.all())
+      if (symbol.role != symbolic::Role::quantity) quantities.erase(symbol.name + symbol.suffix);
+    const std::vector<Table> all = tables(equations, Style::text);
+    for (const Table& table : all)
+      for (const auto& [left, right] : table.rows) {
+        told.insert(words(left).front());
+        if (const std::size_t equal = right.find(" = "); equal != std::string::npos)
+          told.insert(right.substr(0, equal));
+      }
+    for (const Table& table : all) {
+      if (table.title == "Equations of motion") continue;
+      for (const auto& [left, right] : table.rows)
+        for (const std::string& word : words(right))
+          EXPECT_TRUE(quantities.count(word) == 0 || told.count(word) > 0)
+              << equations.scene.name << ": " << word << " in " << left << " = " << right;
+    }
   }
 }
 
