@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 83f77b27547925f2 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 17b6088b8702e8ba of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "83f77b27547925f2";
+inline constexpr char model_hash[] = "17b6088b8702e8ba";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -89,7 +89,7 @@ struct Prepared {
 
 // prepare: 1 add, 1 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m_cart;

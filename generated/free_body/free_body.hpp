@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9f01fe1fbed6b08f of free_body/scene.toml; the usual functions
+// model d22962ec5f62061b of free_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 handle on the inertial frame: free
 //
@@ -36,7 +36,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9f01fe1fbed6b08f";
+inline constexpr char model_hash[] = "d22962ec5f62061b";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -66,7 +66,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 7a13498486fe4663 of six_body/scene.toml; the usual functions
+// model 9b7176eeb16f7ca7 of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "7a13498486fe4663";
+inline constexpr char model_hash[] = "9b7176eeb16f7ca7";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -164,7 +164,7 @@ struct Prepared {
 
 // prepare: 8 add, 13 multiply, 1 divide
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c4_1 = T(0.5) * p.m_payload;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model b54d5055bb11a8fb of six_body_free/scene.toml; the usual functions
+// model 042821bbb4e0e533 of six_body_free/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -45,7 +45,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "b54d5055bb11a8fb";
+inline constexpr char model_hash[] = "042821bbb4e0e533";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -141,7 +141,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spinning_top: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 8d01d51001a6e5aa of spinning_top/scene.toml; the usual functions
+// model 865d526ea87a3852 of spinning_top/scene.toml; the usual functions
 // bodies and their joints:
 //   1 top on the inertial frame: ball
 //
@@ -34,7 +34,7 @@ inline constexpr int nx = 4;
 inline constexpr int ny = 3;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "8d01d51001a6e5aa";
+inline constexpr char model_hash[] = "865d526ea87a3852";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -62,7 +62,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 4b8a8b6b63c47af9 of spring_chain/scene.toml; the usual functions
+// model 8f0115a0d94695dd of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "4b8a8b6b63c47af9";
+inline constexpr char model_hash[] = "8f0115a0d94695dd";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -80,7 +80,7 @@ struct Prepared {
 
 // prepare: 4 add, 2 multiply, 1 divide
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // t_handle: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 5f88c9f30a36161e of t_handle/scene.toml; the usual functions
+// model 7f5f700a09e39786 of t_handle/scene.toml; the usual functions
 // bodies and their joints:
 //   1 bar on the inertial frame: free
 //   2 stem on 1: weld
@@ -37,7 +37,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "5f88c9f30a36161e";
+inline constexpr char model_hash[] = "7f5f700a09e39786";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -67,7 +67,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

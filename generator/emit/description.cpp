@@ -4,6 +4,7 @@
 #include "generator/emit/sparsity.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/spelling.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -82,7 +83,7 @@ std::string spread(const std::string& array, std::size_t count, const std::strin
 std::string begin(const scene::Scene& scene, const std::string& what, const std::string& includes) {
   return "// SPDX-License-Identifier: BSD-3-Clause\n// " + scene.name + " " + what +
          " behind kanec's ABI. Not needed by a program that includes the header.\n" + includes + "#include \"" +
-         scene.name + ".hpp\"\n\nnamespace {\n\nnamespace model = kanec::" + scene.name + ";\n";
+         scene.name + ".hpp\"\n\nnamespace {\n\nnamespace model = kanec::" + scene::spelled(scene.name) + ";\n";
 }
 
 std::string entry(const std::string& type, const std::string& name, const std::string& value) {

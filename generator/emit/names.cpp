@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "generator/emit/statements.hpp"
@@ -29,30 +30,29 @@ std::string by_body(const scene::Scene& scene, const std::string& name) {
 
 class Constants {
  public:
+  explicit Constants(Syntax syntax) : syntax_(std::move(syntax)) {}
+
   void add(const std::string& name, std::size_t index) {
     if (name.empty() || !names_.insert(name).second) return;
-    list_ +=
-        (list_.empty() ? "inline constexpr int " : ", ") + name + no_break + "=" + no_break + std::to_string(index);
+    list_ += (list_.empty() ? "" : ", ") + syntax_.global(name) + no_break + "=" + no_break + std::to_string(index);
   }
 
   std::string take_lines() {
-    std::string text;
-    if (!list_.empty())
-      for (const std::string& line : wrapped(list_ + ";", "    ")) text += line + "\n";
-    list_.clear();
-    return text;
+    if (list_.empty()) return "";
+    return syntax_.constants(std::exchange(list_, ""));
   }
 
  private:
+  Syntax syntax_;
   std::set<std::string> names_;
   std::string list_;
 };
 
 }  // namespace
 
-std::string state_constants(const scene::Scene& scene) {
+std::string state_constants(const scene::Scene& scene, const Syntax& syntax) {
   const std::vector<std::string> groups[] = {coordinate_names(scene), speed_names(scene)};
-  Constants constants;
+  Constants constants(syntax.within("at"));
   std::string text;
   for (const std::vector<std::string>& names : groups) {
     for (std::size_t i = 0; i < names.size(); ++i) constants.add(names[i], i);
@@ -62,8 +62,8 @@ std::string state_constants(const scene::Scene& scene) {
     for (std::size_t i = 0; i < names.size(); ++i) constants.add(by_body(scene, names[i]), i);
     text += constants.take_lines();
   }
-  return "// Where each coordinate stands in x and each speed in y.\nnamespace at {\n" + text +
-         "}  // namespace at\n\n";
+  return "// Where each coordinate stands in x and each speed in y.\n" + syntax.open("at") + text + syntax.close("at") +
+         "\n";
 }
 
 }  // namespace kanec::emit

@@ -1,4 +1,4 @@
-// kanec generate: the emitted header as a file.
+// kanec generate: the emitted header as a file, in C++ or in C.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -41,7 +41,8 @@ constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
   EOF
   g++ -O2 fall.cpp && ./a.out
 
-The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
+The header needs nothing but a C++17 compiler; with --language c, <name>.h, nothing but C99 and <math.h>, in double or with
+KANEC_REAL defined as float: docs/embed_c.md. With --abi the two files that `kanec simulate` compiles beside it are
 written as well; with --taylor <name>_taylor.hpp, which has the Taylor series of the motion: what --integrator taylor
 steps by. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
@@ -52,6 +53,7 @@ struct Options {
   std::string output;
   std::string stage;
   emit::Optimize optimize = emit::Optimize::speed;
+  emit::Language language = emit::Language::cpp;
   bool abi = false;
   bool taylor = false;
   bool json = false;
@@ -69,6 +71,17 @@ struct Product {
     bytes = text.size();
   }
 };
+
+// What there is in C++ alone.
+void check_language(const Options& options) {
+  if (options.language != emit::Language::c) return;
+  const auto refuse = [](const std::string& option, const std::string& why) {
+    throw InputError("--language c: found it beside " + option + "; allowed: --language cpp, since " + why);
+  };
+  if (options.abi) refuse("--abi", "the library is made of the C++ header; C programs link it by abi.h");
+  if (options.taylor) refuse("--taylor", "the series is a class template");
+  if (!options.stage.empty()) refuse("--dump " + options.stage, "stages before the header have no language; -o - prints it");
+}
 
 bool means_folder(const std::string& output) {
   std::error_code ignored;
@@ -102,7 +115,8 @@ std::deque<Product> open_products(const Options& options, const std::string& nam
     throw InputError("--json: found it beside --output " + options.output +
                      "; allowed: one of them on standard output");
   const bool folder = means_folder(options.output);
-  products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
+  products.emplace_back(folder ? fs::path(options.output) / (name + (options.language == emit::Language::c ? ".h" : ".hpp"))
+                               : fs::path(options.output));
   if (!options.abi && !options.taylor) return products;
   if (!folder)
     throw InputError("--output: found the file '" + options.output + "'; allowed with " +
@@ -180,13 +194,16 @@ std::vector<std::string> functions_of(const Options& options, const scene::Scene
 }
 
 int generate_files(const Options& options) {
+  check_language(options);
   const scene::Scene scene = load(options.scene);
   const std::vector<std::string> functions = functions_of(options, scene);
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
   std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(
-      scene, {functions, options.algorithm, options.optimize, emit::Model{}.longest_line, options.taylor, remark_note});
+  GenerateOptions how{functions,      options.algorithm, options.optimize, emit::Model{}.longest_line,
+                      options.taylor, remark_note};
+  how.language = options.language;
+  const Generated generated = generate(scene, how);
   write(products, options, generated);
   if (options.json)
     print_json(report_json(scene, generated, products));
@@ -195,19 +212,31 @@ int generate_files(const Options& options) {
   return 0;
 }
 
+void add_language(CLI::App& command, emit::Language& language) {
+  const auto set = [&language](const std::string& text) {
+    language = text == "c" ? emit::Language::c : emit::Language::cpp;
+  };
+  command
+      .add_option_function<std::string>("--language", set, "the header in C++17 (cpp, the default) or C99 (c)")
+      ->check(CLI::IsMember({"cpp", "c"}))
+      ->option_text("cpp|c");
+}
+
 }  // namespace
 
 void add_generate(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "generate", "the emitted C++ header of a scene, with its operations counted", footer,
+      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted", footer,
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
   add_algorithm(*command, options->algorithm);
   command
-      ->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
+      ->add_option("-o,--output", options->output,
+                   "folder of <name>.hpp or <name>.h (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
   add_optimize(*command, options->optimize);
+  add_language(*command, options->language);
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_flag("--taylor", options->taylor, "also <name>_taylor.hpp, the Taylor series of the motion");
   command->add_option("--dump", options->stage, "print a stage instead")

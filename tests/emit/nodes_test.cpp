@@ -117,7 +117,7 @@ TEST_F(EveryNode, gives_the_pattern_of_its_matrices) {
 TEST_F(EveryNode, says_where_the_scene_was_and_what_the_scalar_must_have) {
   EXPECT_THAT(generated.header, HasSubstr("// model 0123456789abcdef of models/every_node.toml; all functions\n"));
   EXPECT_THAT(generated.header, HasSubstr("abs, acos, asin, atan2, cos, exp, log, max, min,"));
-  EXPECT_THAT(generated.header, HasSubstr("#include <algorithm>\n#include <cmath>\n"));
+  EXPECT_THAT(generated.header, HasSubstr("#include <cmath>\n"));
 }
 
 // A scene with a joint of each sort; only its state and names are looked at, so a program without functions will do.
