@@ -1,4 +1,5 @@
-/* What a compiled model and the runtime agree on. Not for embedders: they include the emitted header alone.
+/* What a compiled model and its callers agree on: kanec's own runtime, and any program that calls C (docs/embed_c.md). Not
+   needed with an emitted header.
    SPDX-License-Identifier: BSD-3-Clause */
 #ifndef KANEC_ABI_H
 #define KANEC_ABI_H
@@ -10,6 +11,7 @@
 extern "C" {
 #endif
 
+/* Raised with every change of what stands below; abi_version and struct_size stay in front. */
 #define KANEC_ABI_VERSION 4u
 
 /* One evaluation. Every emitted function has this shape; arguments that it does not read may be null.
