@@ -7,6 +7,12 @@ packages="g++ cmake ninja-build pkg-config
   libbenchmark-dev libgtest-dev libgmock-dev
   gnuplot-nox"
 
+# What some tests are skipped without.
+more_packages="clang python3-dev python3-numpy pybind11-dev dpkg-dev file
+  texlive-latex-base texlive-latex-recommended texlive-pictures
+  gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
+  libsimbody-dev libbullet-dev valgrind"
+
 missing_packages() {
   for package in $packages; do
     status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) || status=

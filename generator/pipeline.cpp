@@ -8,6 +8,7 @@
 #include "generator/choice/regular.hpp"
 #include "generator/emit/header.hpp"
 #include "generator/emit/taylor.hpp"
+#include "runtime/base/error.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/hash.hpp"
 
@@ -41,6 +42,10 @@ void tell(const GenerateOptions& options, const std::vector<std::string>& notes)
 }  // namespace
 
 Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
+  const bool is_c = options.language == emit::Language::c;
+  if (is_c && options.with_taylor)
+    throw InputError("a Taylor series in C: found language c; allowed: C++, since the series is a class template");
+  const std::scoped_lock turn(derivation_turn());
   check_regular(scene);
   const bool are_named = !options.functions.empty() || !scene.functions.empty();
   const Reach reach = within_reach(scene, requested_functions(scene, options.functions), are_named);
@@ -52,16 +57,22 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
   const emit::Model model{&scene,           version(),           mark, options_text(scene, options), source,
-                          options.optimize, options.longest_line,      options.lengths};
+                          options.optimize, options.longest_line,      options.lengths,
+                          options.language};
   std::string header = emit::emit_header(model, program);
-  std::string abi = emit::emit_abi(model, program);
-  std::string batch = emit::emit_batch(model, program);
+  std::string abi = is_c ? "" : emit::emit_abi(model, program);
+  std::string batch = is_c ? "" : emit::emit_batch(model, program);
   std::string taylor = options.with_taylor ? emit::emit_taylor(model, program) : "";
   const std::string hash = fingerprint((source.empty() ? header : without(header, " of " + source)) + abi);
   replace_all(header, mark, hash);
   if (!source.empty()) replace_all(header, source, fit::comment(scene.source));
   for (std::string* text : {&abi, &batch, &taylor}) replace_all(*text, mark, hash);
   return {std::move(program), scene.name, hash, std::move(header), std::move(abi), std::move(batch), std::move(taylor)};
+}
+
+std::recursive_mutex& derivation_turn() {
+  static std::recursive_mutex mutex;
+  return mutex;
 }
 
 std::string version() { return KANEC_VERSION; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9477a716c9219849 of arm_7/scene.toml; the usual functions
+// model a59b4aec4d9d94ac of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -38,7 +38,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #if !defined(KANEC_COS_SIN)
 #define KANEC_COS_SIN
@@ -63,9 +62,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -84,14 +83,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.
@@ -126,17 +125,17 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "9477a716c9219849";
+inline constexpr char model_hash[] = "a59b4aec4d9d94ac";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int theta_1 = 0, theta_2 = 1, theta_3 = 2, theta_4 = 3, theta_5 = 4, theta_6 = 5, theta_7 = 6;
 inline constexpr int thetadot_1 = 0, thetadot_2 = 1, thetadot_3 = 2, thetadot_4 = 3, thetadot_5 = 4, thetadot_6 = 5,
     thetadot_7 = 6;
-inline constexpr int link_1_theta = 0, link_2_theta = 1, link_3_theta = 2, link_4_theta = 3, link_5_theta = 4,
-    link_6_theta = 5, link_7_theta = 6;
-inline constexpr int link_1_thetadot = 0, link_2_thetadot = 1, link_3_thetadot = 2, link_4_thetadot = 3,
-    link_5_thetadot = 4, link_6_thetadot = 5, link_7_thetadot = 6;
+inline constexpr int theta_link_1 = 0, theta_link_2 = 1, theta_link_3 = 2, theta_link_4 = 3, theta_link_5 = 4,
+    theta_link_6 = 5, theta_link_7 = 6;
+inline constexpr int thetadot_link_1 = 0, thetadot_link_2 = 1, thetadot_link_3 = 2, thetadot_link_4 = 3,
+    thetadot_link_5 = 4, thetadot_link_6 = 5, thetadot_link_7 = 6;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -172,7 +171,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_cb6: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 28877f4a6016b108 of bench_cb6/scene.toml; the usual functions
+// model 5d87b4d0845fb4cb of bench_cb6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: ball
 //   2 body_2 on 1: ball
@@ -42,7 +42,7 @@ inline constexpr int nx = 24;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 18;
-inline constexpr char model_hash[] = "28877f4a6016b108";
+inline constexpr char model_hash[] = "5d87b4d0845fb4cb";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -116,7 +116,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bench_s6b: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model acd8a34006378ee5 of bench_s6b/scene.toml; the usual functions
+// model 6f7cec86c3b4af98 of bench_s6b/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: ball
@@ -44,7 +44,7 @@ inline constexpr int nx = 27;
 inline constexpr int ny = 21;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 21;
-inline constexpr char model_hash[] = "acd8a34006378ee5";
+inline constexpr char model_hash[] = "6f7cec86c3b4af98";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -120,7 +120,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 83f77b27547925f2 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model a83cb6f9d9a629b9 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,14 +41,14 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "83f77b27547925f2";
+inline constexpr char model_hash[] = "a83cb6f9d9a629b9";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int theta_2 = 0, s_1 = 1;
 inline constexpr int thetadot_2 = 0, sdot_1 = 1;
-inline constexpr int pole_theta = 0, cart_s = 1;
-inline constexpr int pole_thetadot = 0, cart_sdot = 1;
+inline constexpr int theta_pole = 0, s_cart = 1;
+inline constexpr int thetadot_pole = 0, sdot_cart = 1;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -89,7 +89,7 @@ struct Prepared {
 
 // prepare: 1 add, 1 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m_cart;

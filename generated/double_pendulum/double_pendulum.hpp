@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 39702322c18d8332 of double_pendulum/scene.toml; the usual functions
+// model d2d12e6c29c1c563 of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -32,7 +32,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #if !defined(KANEC_COS_SIN)
 #define KANEC_COS_SIN
@@ -57,9 +56,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -78,14 +77,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.
@@ -120,14 +119,14 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "39702322c18d8332";
+inline constexpr char model_hash[] = "d2d12e6c29c1c563";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int theta_1 = 0, theta_2 = 1;
 inline constexpr int thetadot_1 = 0, thetadot_2 = 1;
-inline constexpr int upper_theta = 0, lower_theta = 1;
-inline constexpr int upper_thetadot = 0, lower_thetadot = 1;
+inline constexpr int theta_upper = 0, theta_lower = 1;
+inline constexpr int thetadot_upper = 0, thetadot_lower = 1;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -148,7 +147,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 15c741e9c30952ab of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model bbe1c783752be4a3 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -66,7 +66,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #if !defined(KANEC_COS_SIN)
 #define KANEC_COS_SIN
@@ -91,9 +90,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -112,14 +111,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.
@@ -154,7 +153,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "15c741e9c30952ab";
+inline constexpr char model_hash[] = "bbe1c783752be4a3";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -168,18 +167,18 @@ inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, omega_2_1 = 3,
     omega_10_1 = 12, omega_10_2 = 13, omega_10_3 = 14, thetadot_11 = 15, sdot_1_1 = 16, sdot_1_2 = 17, sdot_1_3 = 18,
     sdot_6 = 19, sdot_7_1 = 20, sdot_7_2 = 21, sdot_8 = 22, sdot_9_1 = 23, sdot_9_2 = 24, sdot_10 = 25,
     sdot_13_1 = 26, sdot_13_2 = 27, sdot_13_3 = 28;
-inline constexpr int hull_eps_1 = 0, hull_eps_2 = 1, hull_eps_3 = 2, hull_eps_4 = 3, clapper_eps_1 = 4,
-    clapper_eps_2 = 5, clapper_eps_3 = 6, clapper_eps_4 = 7, boom_theta = 8, cross_theta_1 = 9, cross_theta_2 = 10,
-    camera_theta_1 = 11, piston_theta = 12, sled_theta = 13, runner_eps_1 = 14, runner_eps_2 = 15, runner_eps_3 = 16,
-    runner_eps_4 = 17, nut_theta = 18, hull_s_1 = 19, hull_s_2 = 20, hull_s_3 = 21, telescope_s = 22, gantry_s_1 = 23,
-    gantry_s_2 = 24, piston_s = 25, sled_s_1 = 26, sled_s_2 = 27, runner_s = 28, ballast_s_1 = 29, ballast_s_2 = 30,
-    ballast_s_3 = 31;
-inline constexpr int hull_omega_1 = 0, hull_omega_2 = 1, hull_omega_3 = 2, clapper_omega_1 = 3, clapper_omega_2 = 4,
-    clapper_omega_3 = 5, boom_thetadot = 6, cross_thetadot_1 = 7, cross_thetadot_2 = 8, camera_thetadot_1 = 9,
-    piston_thetadot = 10, sled_thetadot = 11, runner_omega_1 = 12, runner_omega_2 = 13, runner_omega_3 = 14,
-    nut_thetadot = 15, hull_sdot_1 = 16, hull_sdot_2 = 17, hull_sdot_3 = 18, telescope_sdot = 19, gantry_sdot_1 = 20,
-    gantry_sdot_2 = 21, piston_sdot = 22, sled_sdot_1 = 23, sled_sdot_2 = 24, runner_sdot = 25, ballast_sdot_1 = 26,
-    ballast_sdot_2 = 27, ballast_sdot_3 = 28;
+inline constexpr int eps_hull_1 = 0, eps_hull_2 = 1, eps_hull_3 = 2, eps_hull_4 = 3, eps_clapper_1 = 4,
+    eps_clapper_2 = 5, eps_clapper_3 = 6, eps_clapper_4 = 7, theta_boom = 8, theta_cross_1 = 9, theta_cross_2 = 10,
+    theta_camera_1 = 11, theta_piston = 12, theta_sled = 13, eps_runner_1 = 14, eps_runner_2 = 15, eps_runner_3 = 16,
+    eps_runner_4 = 17, theta_nut = 18, s_hull_1 = 19, s_hull_2 = 20, s_hull_3 = 21, s_telescope = 22, s_gantry_1 = 23,
+    s_gantry_2 = 24, s_piston = 25, s_sled_1 = 26, s_sled_2 = 27, s_runner = 28, s_ballast_1 = 29, s_ballast_2 = 30,
+    s_ballast_3 = 31;
+inline constexpr int omega_hull_1 = 0, omega_hull_2 = 1, omega_hull_3 = 2, omega_clapper_1 = 3, omega_clapper_2 = 4,
+    omega_clapper_3 = 5, thetadot_boom = 6, thetadot_cross_1 = 7, thetadot_cross_2 = 8, thetadot_camera_1 = 9,
+    thetadot_piston = 10, thetadot_sled = 11, omega_runner_1 = 12, omega_runner_2 = 13, omega_runner_3 = 14,
+    thetadot_nut = 15, sdot_hull_1 = 16, sdot_hull_2 = 17, sdot_hull_3 = 18, sdot_telescope = 19, sdot_gantry_1 = 20,
+    sdot_gantry_2 = 21, sdot_piston = 22, sdot_sled_1 = 23, sdot_sled_2 = 24, sdot_runner = 25, sdot_ballast_1 = 26,
+    sdot_ballast_2 = 27, sdot_ballast_3 = 28;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.

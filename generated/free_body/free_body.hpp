@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 9f01fe1fbed6b08f of free_body/scene.toml; the usual functions
+// model 1187a864e3b20c02 of free_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 handle on the inertial frame: free
 //
@@ -36,16 +36,16 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "9f01fe1fbed6b08f";
+inline constexpr char model_hash[] = "1187a864e3b20c02";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, s_1_1 = 4, s_1_2 = 5, s_1_3 = 6;
 inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, sdot_1_1 = 3, sdot_1_2 = 4, sdot_1_3 = 5;
-inline constexpr int handle_eps_1 = 0, handle_eps_2 = 1, handle_eps_3 = 2, handle_eps_4 = 3, handle_s_1 = 4,
-    handle_s_2 = 5, handle_s_3 = 6;
-inline constexpr int handle_omega_1 = 0, handle_omega_2 = 1, handle_omega_3 = 2, handle_sdot_1 = 3, handle_sdot_2 = 4,
-    handle_sdot_3 = 5;
+inline constexpr int eps_handle_1 = 0, eps_handle_2 = 1, eps_handle_3 = 2, eps_handle_4 = 3, s_handle_1 = 4,
+    s_handle_2 = 5, s_handle_3 = 6;
+inline constexpr int omega_handle_1 = 0, omega_handle_2 = 1, omega_handle_3 = 2, sdot_handle_1 = 3, sdot_handle_2 = 4,
+    sdot_handle_3 = 5;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -66,7 +66,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pendulum: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model af08254556d687d4 of pendulum/scene.toml; the usual functions
+// model 6641f23f71447edf of pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 rod on the inertial frame: revolute
 //
@@ -38,14 +38,14 @@ inline constexpr int nx = 1;
 inline constexpr int ny = 1;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "af08254556d687d4";
+inline constexpr char model_hash[] = "6641f23f71447edf";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int theta_1 = 0;
 inline constexpr int thetadot_1 = 0;
-inline constexpr int rod_theta = 0;
-inline constexpr int rod_thetadot = 0;
+inline constexpr int theta_rod = 0;
+inline constexpr int thetadot_rod = 0;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -67,7 +67,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a620a7d769a30495 of quadruped/scene.toml; the usual functions
+// model 3bdf0b1731898dd2 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -54,7 +54,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #if !defined(KANEC_COS_SIN)
 #define KANEC_COS_SIN
@@ -79,9 +78,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -100,14 +99,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.
@@ -142,7 +141,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "a620a7d769a30495";
+inline constexpr char model_hash[] = "3bdf0b1731898dd2";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -152,14 +151,14 @@ inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, theta_2
 inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, thetadot_2 = 3, thetadot_3 = 4, thetadot_4 = 5,
     thetadot_6 = 6, thetadot_7 = 7, thetadot_8 = 8, thetadot_10 = 9, thetadot_11 = 10, thetadot_12 = 11,
     thetadot_14 = 12, thetadot_15 = 13, thetadot_16 = 14, sdot_1_1 = 15, sdot_1_2 = 16, sdot_1_3 = 17;
-inline constexpr int trunk_eps_1 = 0, trunk_eps_2 = 1, trunk_eps_3 = 2, trunk_eps_4 = 3, fr_hip_theta = 4,
-    fr_thigh_theta = 5, fr_calf_theta = 6, fl_hip_theta = 7, fl_thigh_theta = 8, fl_calf_theta = 9, rr_hip_theta = 10,
-    rr_thigh_theta = 11, rr_calf_theta = 12, rl_hip_theta = 13, rl_thigh_theta = 14, rl_calf_theta = 15,
-    trunk_s_1 = 16, trunk_s_2 = 17, trunk_s_3 = 18;
-inline constexpr int trunk_omega_1 = 0, trunk_omega_2 = 1, trunk_omega_3 = 2, fr_hip_thetadot = 3,
-    fr_thigh_thetadot = 4, fr_calf_thetadot = 5, fl_hip_thetadot = 6, fl_thigh_thetadot = 7, fl_calf_thetadot = 8,
-    rr_hip_thetadot = 9, rr_thigh_thetadot = 10, rr_calf_thetadot = 11, rl_hip_thetadot = 12, rl_thigh_thetadot = 13,
-    rl_calf_thetadot = 14, trunk_sdot_1 = 15, trunk_sdot_2 = 16, trunk_sdot_3 = 17;
+inline constexpr int eps_trunk_1 = 0, eps_trunk_2 = 1, eps_trunk_3 = 2, eps_trunk_4 = 3, theta_fr_hip = 4,
+    theta_fr_thigh = 5, theta_fr_calf = 6, theta_fl_hip = 7, theta_fl_thigh = 8, theta_fl_calf = 9, theta_rr_hip = 10,
+    theta_rr_thigh = 11, theta_rr_calf = 12, theta_rl_hip = 13, theta_rl_thigh = 14, theta_rl_calf = 15,
+    s_trunk_1 = 16, s_trunk_2 = 17, s_trunk_3 = 18;
+inline constexpr int omega_trunk_1 = 0, omega_trunk_2 = 1, omega_trunk_3 = 2, thetadot_fr_hip = 3,
+    thetadot_fr_thigh = 4, thetadot_fr_calf = 5, thetadot_fl_hip = 6, thetadot_fl_thigh = 7, thetadot_fl_calf = 8,
+    thetadot_rr_hip = 9, thetadot_rr_thigh = 10, thetadot_rr_calf = 11, thetadot_rl_hip = 12, thetadot_rl_thigh = 13,
+    thetadot_rl_calf = 14, sdot_trunk_1 = 15, sdot_trunk_2 = 16, sdot_trunk_3 = 17;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -242,7 +241,7 @@ struct Prepared {
 
 // prepare: 17 add, 11 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m_trunk;

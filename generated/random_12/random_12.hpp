@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // random_12: equations of motion of 12 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 18a911bb83f5076c of random_12/scene.toml; the usual functions
+// model 1ab65c8c67dd1cad of random_12/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: free
@@ -57,7 +57,7 @@ inline constexpr int nx = 84;
 inline constexpr int ny = 72;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "18a911bb83f5076c";
+inline constexpr char model_hash[] = "1ab65c8c67dd1cad";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -266,7 +266,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

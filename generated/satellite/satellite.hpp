@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model ac33536aec921e56 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 89c0f2d61de775e8 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -42,7 +42,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #if !defined(KANEC_COS_SIN)
 #define KANEC_COS_SIN
@@ -67,9 +66,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -88,14 +87,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.
@@ -130,7 +129,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "ac33536aec921e56";
+inline constexpr char model_hash[] = "89c0f2d61de775e8";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -138,10 +137,10 @@ inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, theta_2
     s_1_1 = 7, s_1_2 = 8, s_1_3 = 9;
 inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, thetadot_2 = 3, thetadot_3 = 4, thetadot_4 = 5,
     sdot_1_1 = 6, sdot_1_2 = 7, sdot_1_3 = 8;
-inline constexpr int hub_eps_1 = 0, hub_eps_2 = 1, hub_eps_3 = 2, hub_eps_4 = 3, left_panel_theta = 4,
-    right_panel_theta = 5, wheel_theta = 6, hub_s_1 = 7, hub_s_2 = 8, hub_s_3 = 9;
-inline constexpr int hub_omega_1 = 0, hub_omega_2 = 1, hub_omega_3 = 2, left_panel_thetadot = 3,
-    right_panel_thetadot = 4, wheel_thetadot = 5, hub_sdot_1 = 6, hub_sdot_2 = 7, hub_sdot_3 = 8;
+inline constexpr int eps_hub_1 = 0, eps_hub_2 = 1, eps_hub_3 = 2, eps_hub_4 = 3, theta_left_panel = 4,
+    theta_right_panel = 5, theta_wheel = 6, s_hub_1 = 7, s_hub_2 = 8, s_hub_3 = 9;
+inline constexpr int omega_hub_1 = 0, omega_hub_2 = 1, omega_hub_3 = 2, thetadot_left_panel = 3,
+    thetadot_right_panel = 4, thetadot_wheel = 5, sdot_hub_1 = 6, sdot_hub_2 = 7, sdot_hub_3 = 8;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -192,7 +191,7 @@ struct Prepared {
 
 // prepare: 0 add, 1 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c0_1 = p.c * T(0.08333333333333333);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 16fe80233002f483 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model a0c690e97a710537 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,14 +45,14 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "16fe80233002f483";
+inline constexpr char model_hash[] = "a0c690e97a710537";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int theta_2 = 0, s_3 = 1;
 inline constexpr int thetadot_2 = 0, sdot_3 = 1;
-inline constexpr int rod_theta = 0, slider_s = 1;
-inline constexpr int rod_thetadot = 0, slider_sdot = 1;
+inline constexpr int theta_rod = 0, s_slider = 1;
+inline constexpr int thetadot_rod = 0, sdot_slider = 1;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -83,7 +83,7 @@ struct Prepared {
 
 // prepare: 0 add, 9 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(2e-04) * p.crank_speed * p.crank_speed * T(0.5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spinning_top: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 8d01d51001a6e5aa of spinning_top/scene.toml; the usual functions
+// model 0d5fd822db007ccd of spinning_top/scene.toml; the usual functions
 // bodies and their joints:
 //   1 top on the inertial frame: ball
 //
@@ -34,14 +34,14 @@ inline constexpr int nx = 4;
 inline constexpr int ny = 3;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "8d01d51001a6e5aa";
+inline constexpr char model_hash[] = "0d5fd822db007ccd";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3;
 inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2;
-inline constexpr int top_eps_1 = 0, top_eps_2 = 1, top_eps_3 = 2, top_eps_4 = 3;
-inline constexpr int top_omega_1 = 0, top_omega_2 = 1, top_omega_3 = 2;
+inline constexpr int eps_top_1 = 0, eps_top_2 = 1, eps_top_3 = 2, eps_top_4 = 3;
+inline constexpr int omega_top_1 = 0, omega_top_2 = 1, omega_top_3 = 2;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -62,7 +62,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 4b8a8b6b63c47af9 of spring_chain/scene.toml; the usual functions
+// model 606844d3662dbd10 of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,14 +42,14 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "4b8a8b6b63c47af9";
+inline constexpr char model_hash[] = "606844d3662dbd10";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int s_1 = 0, s_2 = 1, s_3 = 2, s_4 = 3, s_5 = 4;
 inline constexpr int sdot_1 = 0, sdot_2 = 1, sdot_3 = 2, sdot_4 = 3, sdot_5 = 4;
-inline constexpr int mass_1_s = 0, mass_2_s = 1, mass_3_s = 2, mass_4_s = 3, mass_5_s = 4;
-inline constexpr int mass_1_sdot = 0, mass_2_sdot = 1, mass_3_sdot = 2, mass_4_sdot = 3, mass_5_sdot = 4;
+inline constexpr int s_mass_1 = 0, s_mass_2 = 1, s_mass_3 = 2, s_mass_4 = 3, s_mass_5 = 4;
+inline constexpr int sdot_mass_1 = 0, sdot_mass_2 = 1, sdot_mass_3 = 2, sdot_mass_4 = 3, sdot_mass_5 = 4;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -80,7 +80,7 @@ struct Prepared {
 
 // prepare: 4 add, 2 multiply, 1 divide
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   const T c1_1 = T(0.5) * p.m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // t_handle: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 5f88c9f30a36161e of t_handle/scene.toml; the usual functions
+// model 1351c9d4448278d9 of t_handle/scene.toml; the usual functions
 // bodies and their joints:
 //   1 bar on the inertial frame: free
 //   2 stem on 1: weld
@@ -37,16 +37,16 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "5f88c9f30a36161e";
+inline constexpr char model_hash[] = "1351c9d4448278d9";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
 inline constexpr int eps_1_1 = 0, eps_1_2 = 1, eps_1_3 = 2, eps_1_4 = 3, s_1_1 = 4, s_1_2 = 5, s_1_3 = 6;
 inline constexpr int omega_1_1 = 0, omega_1_2 = 1, omega_1_3 = 2, sdot_1_1 = 3, sdot_1_2 = 4, sdot_1_3 = 5;
-inline constexpr int bar_eps_1 = 0, bar_eps_2 = 1, bar_eps_3 = 2, bar_eps_4 = 3, bar_s_1 = 4, bar_s_2 = 5,
-    bar_s_3 = 6;
-inline constexpr int bar_omega_1 = 0, bar_omega_2 = 1, bar_omega_3 = 2, bar_sdot_1 = 3, bar_sdot_2 = 4,
-    bar_sdot_3 = 5;
+inline constexpr int eps_bar_1 = 0, eps_bar_2 = 1, eps_bar_3 = 2, eps_bar_4 = 3, s_bar_1 = 4, s_bar_2 = 5,
+    s_bar_3 = 6;
+inline constexpr int omega_bar_1 = 0, omega_bar_2 = 1, omega_bar_3 = 2, sdot_bar_1 = 3, sdot_bar_2 = 4,
+    sdot_bar_3 = 5;
 }  // namespace at
 
 // Entries of mass_matrix that are not always 0, row by row.
@@ -67,7 +67,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tumbling_s6b: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0956bcb3cf7dde33 of tumbling_s6b/scene.toml; the usual functions
+// model 572baaa9d8c012c4 of tumbling_s6b/scene.toml; the usual functions
 // bodies and their joints:
 //   1 body_1 on the inertial frame: free
 //   2 body_2 on 1: ball
@@ -43,7 +43,7 @@ inline constexpr int nx = 27;
 inline constexpr int ny = 21;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "0956bcb3cf7dde33";
+inline constexpr char model_hash[] = "572baaa9d8c012c4";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {
@@ -93,7 +93,7 @@ struct Prepared {
 
 // prepare: 0 add, 0 multiply
 template <class T>
-Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
+constexpr Prepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {
   Prepared<T> c{};
   c.p = p;
   return c;

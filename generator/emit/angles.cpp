@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/emit/marked.hpp"
-#include "runtime/lanes/files.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -26,8 +24,8 @@ Index turned(const program::Program& program, const program::Node& node) {
 
 }  // namespace
 
-Angles::Angles(const program::Program& program, const program::Function& function, Optimize optimize) {
-  if (optimize == Optimize::size) return;
+Angles::Angles(const program::Program& program, const program::Function& function, Optimize optimize)
+    : small_(optimize == Optimize::size) {
   const std::vector<bool> alive = reachable(program, function.outputs);
   std::set<Index> found;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
@@ -45,30 +43,38 @@ std::vector<bool> Angles::others(const program::Program& program, std::vector<bo
   return wanted;
 }
 
-std::string Angles::declarations(const std::string& indent) const {
+std::string Angles::declarations(const Syntax& syntax, const std::string& indent) const {
   if (empty()) return "";
   const std::string size = "[" + std::to_string(entries_.back() + 1) + "]";
-  return indent + "T cosines" + size + ", sines" + size + ";  // of angles, at their places in x\n";
+  return indent + syntax.scalar() + " cosines" + size + ", sines" + size + ";  // of angles, at their places in x\n";
 }
 
-std::string Angles::calls(const std::string& owner) const {
+std::string Angles::calls(const Syntax& syntax, const std::string& owner) const {
   std::string text;
   for (std::size_t i = 0; i < entries_.size();) {
     std::size_t end = i + 1;
     while (end < entries_.size() && entries_[end] == entries_[end - 1] + 1) ++end;
-    text += "  cos_sin(" + after("x", entries_[i]) + ", " + std::to_string(end - i) + ", " +
+    text += "  " + syntax.call("cos_sin") + "(" + after("x", entries_[i]) + ", " + std::to_string(end - i) + ", " +
             after(owner + "cosines", entries_[i]) + ", " + after(owner + "sines", entries_[i]) + ");\n";
     i = end;
   }
-  return text.empty() ? "" : "  using kanec_cos_sin::cos_sin;\n" + text;
+  return text.empty() || syntax.is_c() || small_ ? text : "  using kanec_cos_sin::cos_sin;\n" + text;
 }
 
-std::string cos_sin_text(const Model& model, const program::Program& program) {
-  const bool any = std::any_of(program.functions.begin(), program.functions.end(), [&](const auto& function) {
+bool takes_turns(const Model& model, const program::Program& program) {
+  return std::any_of(program.functions.begin(), program.functions.end(), [&](const auto& function) {
     return !Angles(program, function, model.optimize).empty();
   });
-  if (!any) return "";
-  return "\n" + between_marks(kanec::cos_sin_text());
+}
+
+std::string small_cos_sin(const Model& model, const program::Program& program) {
+  if (model.optimize != Optimize::size || !takes_turns(model, program)) return "";
+  const Syntax syntax(model);
+  const std::string real = syntax.scalar();
+  return "// c = cos(a), s = sin(a) for n angles\n" +
+         syntax.opening("void", "cos_sin", "const " + real + "* a, int n, " + real + "* c, " + real + "* s", {}) +
+         (syntax.is_c() ? "" : "  using std::cos, std::sin;\n") + "  for (int i = 0; i < n; ++i) {\n    c[i] = " +
+         syntax.call("cos") + "(a[i]);\n    s[i] = " + syntax.call("sin") + "(a[i]);\n  }\n}\n\n";
 }
 
 }  // namespace kanec::emit

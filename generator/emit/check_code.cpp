@@ -20,8 +20,8 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& lis
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-constexpr std::array<std::string_view, 7> qualifiers = {"const", "static", "constexpr", "inline",
-                                                        "typename", "unsigned", "extern"};
+constexpr std::array<std::string_view, 8> qualifiers = {"const",    "static",   "constexpr", "inline",
+                                                        "typename", "unsigned", "extern",    "KANEC_APART"};
 constexpr std::array<std::string_view, 8> types = {"void", "bool", "char", "short", "int", "float", "double", "auto"};
 constexpr std::array<std::string_view, 13> statements = {"return", "case",   "default", "break",  "else", "if",   "switch",
                                                          "new",    "delete", "sizeof",  "public", "private", "noexcept"};
@@ -106,6 +106,8 @@ class Reader {
     if (take("template")) return parameters_of_template();
     if (take("namespace")) return named_block(qualified_name());
     if (take("using")) return import();
+    if (is("typedef") && !is("struct", 1)) ++at_;
+    if (take("typedef")) return type();
     if ((is("struct") || is("class")) && is_word(1)) return type();
     if (is("enum")) return enumeration();
     if (take("for")) return scoped([this] { loop(); });
@@ -117,7 +119,7 @@ class Reader {
       return expect(":");
     }
     if (is_declaration()) return declaration();
-    if (is("shared") && is(".", 1) && is("=", 3)) return assignment_to_shared();
+    if (is("shared") && (is(".", 1) || is("->", 1)) && is("=", 3)) return assignment_to_shared();
     some_expression(";");
     expect(";");
   }
@@ -161,7 +163,7 @@ class Reader {
     if (take("<")) skip_to_close(1);
     while (!is("{") && !is(";")) skip();
     if (take(";")) return;
-    if (name == "Shared") set_.clear();  // of another function
+    if (name.ends_with("Shared")) set_.clear();  // of another function
     named_block(name);
   }
 
@@ -335,6 +337,7 @@ class Reader {
     const std::string_view before = std::exchange(function_, name);
     scopes_.push_back(std::move(inside));
     expect("(");
+    if (is("void") && is(")", 1)) ++at_;
     while (!take(")")) {
       const std::size_t end = at_ + behind_type();
       use_type(end);

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/description.hpp"
 
+#include "generator/emit/signature.hpp"
 #include "generator/emit/sparsity.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/spelling.hpp"
 
 namespace kanec::emit {
 namespace {
 
-std::string record(const program::Function& function, const program::Ledger& cost, const std::string& evaluate) {
+// As the ABI has it: KANEC_READS_T and so on.
+unsigned flags_of(const Reads& reads) {
+  return (reads.time ? 1u : 0u) | (reads.x ? 2u : 0u) | (reads.y ? 4u : 0u) | (reads.ydot ? 8u : 0u) |
+         (reads.inputs ? 16u : 0u);
+}
+
+std::string record(const program::Function& function, const program::Ledger& cost, const Reads& reads,
+                   const std::string& evaluate) {
   std::string text = "    {\"" + function.name + "\", " + std::to_string(function.n_out);
   for (const int n : {cost.adds, cost.multiplies, cost.divides, cost.square_roots, cost.trigonometric, cost.functions})
     text += ", " + std::to_string(n);
-  return text + ", " + evaluate + "},\n";
+  return text + ", " + std::to_string(flags_of(reads)) + ", " + evaluate + "},\n";
 }
 
 // Lists end in a null: C++ has no empty arrays.
@@ -67,7 +76,8 @@ std::string described(const Model& model, const program::Program& program, const
   const std::vector<program::Ledger> costs = program::ledgers(program);
   const PatternTable patterns = pattern_table(program);
   for (std::size_t i = 0; i < costs.size(); ++i)
-    text += record(program.functions[i], costs[i], callable ? program.functions[i].name : "nullptr");
+    text += record(program.functions[i], costs[i], reads(program, program.functions[i]),
+                   callable ? program.functions[i].name : "nullptr");
   return text + "};\n\n" + named_lists("parameter", read.parameters) + named_lists("input", read.inputs) +
          name_list("coordinate", coordinate_names(*model.scene)) + name_list("speed", speed_names(*model.scene)) +
          attitude_list(*model.scene) + patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
@@ -82,7 +92,7 @@ std::string spread(const std::string& array, std::size_t count, const std::strin
 std::string begin(const scene::Scene& scene, const std::string& what, const std::string& includes) {
   return "// SPDX-License-Identifier: BSD-3-Clause\n// " + scene.name + " " + what +
          " behind kanec's ABI. Not needed by a program that includes the header.\n" + includes + "#include \"" +
-         scene.name + ".hpp\"\n\nnamespace {\n\nnamespace model = kanec::" + scene.name + ";\n";
+         scene.name + ".hpp\"\n\nnamespace {\n\nnamespace model = kanec::" + scene::spelled(scene.name) + ";\n";
 }
 
 std::string entry(const std::string& type, const std::string& name, const std::string& value) {

@@ -28,11 +28,12 @@ class Emission {
         stages_(stages),
         function_(function),
         results_(results(function)),
-        arguments_(program, function, named.has_inputs),
+        syntax_(model),
+        arguments_(program, function, named.has_inputs, syntax_),
         cost_(cost),
         named_(named),
         angles_(program, function, model.optimize),
-        statements_(program, stages, Stage::state, function.outputs, function_scope(program, function)) {
+        statements_(program, stages, Stage::state, function.outputs, function_scope(program, function, syntax_), syntax_) {
     for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
@@ -49,16 +50,18 @@ class Emission {
     Shape shape{
         function_.name,
         arguments_.parameters(),
+        arguments_.unused(),
         arguments_.piece_parameters(),
+        arguments_.piece_unused(),
         arguments_.values("c", "u"),
         "",
         "",
         "",
-        usings(program_, angles_.others(program_, reachable(program_, function_.outputs)), stages_, Stage::state),
+        usings(program_, angles_.others(program_, reachable(program_, function_.outputs)), stages_, Stage::state, syntax_),
         angles_};
     if (placed) {
       block_ = shape.out_local = "block";
-      shape.begin = "  T block[" + std::to_string(function_.outputs.size()) + "];\n";
+      shape.begin = "  " + syntax_.scalar() + " block[" + std::to_string(function_.outputs.size()) + "];\n";
       shape.end = placements(results_[0].out);
     } else {
       shape.begin = zeros();
@@ -66,7 +69,7 @@ class Emission {
     for (const Quantity& quantity : function_.quantities) add(quantity);
     end_section();
     store_rest();
-    return comments() + function_text(program_, shape, sections_, model_.lengths);
+    return comments() + function_text(program_, shape, sections_, model_.lengths, syntax_);
   }
 
  private:
@@ -98,7 +101,8 @@ class Emission {
       for (std::size_t i = first; i < end; ++i) count += is_zero(function_.outputs[i]);
       for (std::size_t i = first; i < end && count >= 8; ++i) stored_[i] = is_zero(function_.outputs[i]);
       if (count >= 8)
-        text += "  for (int i = 0; i < " + std::to_string(result.count) + "; ++i) " + result.out + "[i] = T(0);\n";
+        text += "  for (int i = 0; i < " + std::to_string(result.count) + "; ++i) " + result.out + "[i] = " +
+                syntax_.number("0") + ";\n";
       first = end;
     }
     return text;
@@ -190,14 +194,19 @@ class Emission {
   std::string placements(const std::string& out) const {
     std::string table =
         "\n  // {block, place of its first entry}; the same block stands where bodies share it, 0 elsewhere\n"
-        "  static constexpr int places[][2] = {\n";
+        "  " +
+        syntax_.local_table("int") + " places[][2] = {\n";
     std::string row = "     ";
     for (const program::Placement& place : function_.placements)
       row += " {" + std::to_string(place.block) + "," + std::to_string(place.offset) + "},";
     for (const std::string& line : wrapped(row, "      ")) table += line + "\n";
-    table += "  };\n  for (int i = 0; i < " + std::to_string(function_.n_out) + "; ++i) " + out + "[i] = T(0);\n";
-    table += "  for (const auto& place : places)\n    for (int i = 0; i < 3; ++i)\n      for (int j = 0; j < 3; ++j) " +
-             out + "[place[1] + i * " + std::to_string(function_.stride) + " + j] = block[9 * place[0] + 3 * i + j];\n";
+    table += "  };\n  for (int i = 0; i < " + std::to_string(function_.n_out) + "; ++i) " + out +
+             "[i] = " + syntax_.number("0") + ";\n";
+    const std::string place = syntax_.is_c() ? "places[place]" : "place";
+    table += syntax_.is_c() ? "  for (int place = 0; place < " + std::to_string(function_.placements.size()) + "; ++place)\n"
+                            : "  for (const auto& place : places)\n";
+    table += "    for (int i = 0; i < 3; ++i)\n      for (int j = 0; j < 3; ++j) " + out + "[" + place + "[1] + i * " +
+             std::to_string(function_.stride) + " + j] = block[9 * " + place + "[0] + 3 * i + j];\n";
     return table;
   }
 
@@ -206,6 +215,7 @@ class Emission {
   const std::vector<Stage>& stages_;
   const Function& function_;
   std::vector<program::Result> results_;
+  Syntax syntax_;
   ArgumentList arguments_;
   program::Ledger cost_;
   const Named& named_;
@@ -221,12 +231,12 @@ class Emission {
 
 }  // namespace
 
-std::string prepared_name(const program::Program& program, const Named& named, Index node) {
+std::string prepared_name(const program::Program& program, const Named& named, Index node, const Syntax& syntax) {
   const auto known = named.prepared.find(node);
   if (known != named.prepared.end()) return known->second.text;
   const auto* variable = std::get_if<program::Variable>(&program.nodes[static_cast<std::size_t>(node)]);
   if (variable == nullptr) throw InternalError("emit: a result of parameters without a name");
-  return variable_name(program, *variable, Stage::state);
+  return variable_name(program, *variable, Stage::state, syntax);
 }
 
 std::string emit_function(const Model& model, const program::Program& program, const std::vector<Stage>& stages,

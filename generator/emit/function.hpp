@@ -1,4 +1,4 @@
-// One function of a program as a C++ function template, section by section. Not: the file around it.
+// One function of a program, section by section. Not: the file around it.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -24,7 +24,8 @@ struct Named {
 };
 
 // What a function calls a result of parameters: "c.Iinv2_11", "c.p.m_1".
-std::string prepared_name(const program::Program& program, const Named& named, program::Index node);
+std::string prepared_name(const program::Program& program, const Named& named, program::Index node,
+                          const Syntax& syntax);
 
 std::string emit_function(const Model& model, const program::Program& program,
                           const std::vector<program::Stage>& stages, const program::Function& function,

@@ -83,14 +83,14 @@ class Words {
   std::string of_scene(const std::string& name) const { return latex_ ? latex_name(name) : name; }
 
   double at_start(scene::Expression expression) const {
-    using Kind = scene::ExpressionNode::Kind;
+    using NodeKind = scene::ExpressionNode::Kind;
     for (scene::ExpressionNode& node : expression.nodes) {
       const auto at = static_cast<std::size_t>(node.index);
-      if (node.kind == Kind::coordinate)
-        node = {.kind = Kind::number, .value = x_[at]};
-      else if (node.kind == Kind::speed)
-        node = {.kind = Kind::number, .value = y_[at]};
-      else if (node.kind == Kind::input)
+      if (node.kind == NodeKind::coordinate)
+        node = {.kind = NodeKind::number, .value = x_[at]};
+      else if (node.kind == NodeKind::speed)
+        node = {.kind = NodeKind::number, .value = y_[at]};
+      else if (node.kind == NodeKind::input)
         node = {.kind = Kind::number, .value = scene_.inputs[at].value};
     }
     return static_cast<double>(scene::value(expression, scene_.parameters));
@@ -228,14 +228,14 @@ std::string coordinates_of(const scene::Scene& scene, const Words& words, const 
 
 // What a body's joint moves by.
 std::string coordinates_of(const scene::Scene& scene, const Words& words, int body) {
-  using Kind = scene::Component::Kind;
+  using PartKind = scene::Component::Kind;
   std::string text;
-  for (const Kind kind : {Kind::attitude, Kind::turn, Kind::slide}) {
+  for (const PartKind kind : {PartKind::attitude, PartKind::turn, PartKind::slide}) {
     std::vector<scene::Component> list;
     for (const scene::Component& c : scene::components(scene))
       if (c.body == body && c.kind == kind) list.push_back(c);
     if (list.empty()) continue;
-    const bool is_held = kind == Kind::attitude && scene.bodies[static_cast<std::size_t>(body - 1)].joint.held;
+    const bool is_held = kind == PartKind::attitude && scene.bodies[static_cast<std::size_t>(body - 1)].joint.held;
     text += (text.empty() ? "" : ", ") + (is_held ? "attitude held" : coordinates_of(scene, words, list));
   }
   return text.empty() ? "none" : text;

@@ -19,6 +19,9 @@ struct Lengths {
   std::size_t piece = 500;
 };
 
+// C++17, and the libraries and the command compile it; or C99 for programs of their own.
+enum class Language { cpp, c };
+
 struct Model {
   const scene::Scene* scene = nullptr;
   std::string version;  // of the generator: "0.1.0"
@@ -28,6 +31,7 @@ struct Model {
   Optimize optimize = Optimize::speed;
   int longest_line = 8000;  // operations of a function that for speed is a straight line in any case
   Lengths lengths = {};
+  Language language = Language::cpp;
 };
 
 }  // namespace kanec::emit

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "generator/emit/statements.hpp"
+#include "generator/scene/entry_names.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -17,42 +19,41 @@ bool is_safe_word(const std::string& name) {
          name.back() != '_' && std::all_of(name.begin(), name.end(), fits);
 }
 
-// "elbow_theta" for "theta_3"; empty where body 3 has no name of its own.
+// "theta_elbow" for "theta_3"; empty where body 3 has no name of its own.
 std::string by_body(const scene::Scene& scene, const std::string& name) {
   const std::size_t first = name.find('_') + 1;
   const std::size_t end = std::min(name.find('_', first), name.size());
   const std::string number = name.substr(first, end - first);
   const std::string& body = scene.bodies[std::stoul(number) - 1].name;
   if (body == "body" + number || body == "body_" + number || !is_safe_word(body)) return "";
-  return body + "_" + name.substr(0, first - 1) + name.substr(end);
+  return scene::name_by_body(scene, name);
 }
 
 class Constants {
  public:
+  explicit Constants(Syntax syntax) : syntax_(std::move(syntax)) {}
+
   void add(const std::string& name, std::size_t index) {
     if (name.empty() || !names_.insert(name).second) return;
-    list_ +=
-        (list_.empty() ? "inline constexpr int " : ", ") + name + no_break + "=" + no_break + std::to_string(index);
+    list_ += (list_.empty() ? "" : ", ") + syntax_.global(name) + no_break + "=" + no_break + std::to_string(index);
   }
 
   std::string take_lines() {
-    std::string text;
-    if (!list_.empty())
-      for (const std::string& line : wrapped(list_ + ";", "    ")) text += line + "\n";
-    list_.clear();
-    return text;
+    if (list_.empty()) return "";
+    return syntax_.constants(std::exchange(list_, ""));
   }
 
  private:
+  Syntax syntax_;
   std::set<std::string> names_;
   std::string list_;
 };
 
 }  // namespace
 
-std::string state_constants(const scene::Scene& scene) {
+std::string state_constants(const scene::Scene& scene, const Syntax& syntax) {
   const std::vector<std::string> groups[] = {coordinate_names(scene), speed_names(scene)};
-  Constants constants;
+  Constants constants(syntax.within("at"));
   std::string text;
   for (const std::vector<std::string>& names : groups) {
     for (std::size_t i = 0; i < names.size(); ++i) constants.add(names[i], i);
@@ -62,8 +63,8 @@ std::string state_constants(const scene::Scene& scene) {
     for (std::size_t i = 0; i < names.size(); ++i) constants.add(by_body(scene, names[i]), i);
     text += constants.take_lines();
   }
-  return "// Where each coordinate stands in x and each speed in y.\nnamespace at {\n" + text +
-         "}  // namespace at\n\n";
+  return "// Where each coordinate stands in x and each speed in y.\n" + syntax.open("at") + text + syntax.close("at") +
+         "\n";
 }
 
 }  // namespace kanec::emit

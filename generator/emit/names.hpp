@@ -4,12 +4,13 @@
 
 #include <string>
 
+#include "generator/emit/language.hpp"
 #include "generator/scene/scene.hpp"
 
 namespace kanec::emit {
 
 // namespace at with the index of every entry of x and y, and where a body has a name of its own the same by that name:
 // "theta_3" and "elbow_theta", "eps_1_4" and "hub_eps_4".
-std::string state_constants(const scene::Scene& scene);
+std::string state_constants(const scene::Scene& scene, const Syntax& syntax);
 
 }  // namespace kanec::emit

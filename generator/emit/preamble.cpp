@@ -6,6 +6,7 @@
 #include "generator/emit/angles.hpp"
 #include "generator/emit/calls.hpp"
 #include "generator/emit/statements.hpp"
+#include "generator/scene/spelling.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 
@@ -113,11 +114,31 @@ std::string left_out(const Used& used) {
                        : comment("Parameters and inputs that nothing here reads are left out: " + joined(names) + ".");
 }
 
-std::string conventions(const program::Program& program, bool turns) {
+std::string spellings(const Used& used) {
+  std::vector<std::string> names;
+  for (const auto* list : {&used.parameters, &used.inputs})
+    for (const scene::Named& named : *list)
+      if (const std::string name = scene::spelled(named.name); name != named.name)
+        names.push_back(name + no_break + "for" + no_break + named.name);
+  return names.empty() ? "" : comment("Spelled otherwise, since they may be macros or keywords: " + joined(names) + ".");
+}
+
+std::string c_conventions(bool chooses, bool turns) {
+  std::string text =
+      std::string("No function allocates, branches") + (chooses ? " (it may choose between two values)" : "") +
+      " or keeps a state; results must not overlap arguments. kanec_real is double, or where KANEC_REAL is defined as float "
+      "before the include float.";
+  if (turns)
+    text += " Cosines and sines of angles in double are those of cos_sin() below, with KANEC_LIBM_COS_SIN the library's.";
+  return "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n" + comment(text);
+}
+
+std::string conventions(const program::Program& program, bool turns, const Syntax& syntax) {
   const bool chooses = selects(program);
   const std::vector<std::string> calls = functions_called(program);
   const bool compares = chooses || std::any_of(calls.begin(), calls.end(),
                                                [](const std::string& name) { return name == "min" || name == "max"; });
+  if (syntax.is_c()) return c_conventions(chooses, turns);
   std::string scalar =
       "T is the scalar: float, double, long double, or any type with + - * /, unary -, a constructor from double and a "
       "default one";
@@ -156,7 +177,8 @@ std::string preamble(const Model& model, const program::Program& program, const 
                  (size(scene) == 1 ? "body" : "bodies") + ", made by kanec " + model.version +
                  ". Not to be edited by hand.") +
          "//\n" + comment("model " + model.hash + source + "; " + model.options) + bodies(scene) + state(scene) +
-         left_out(used) + conventions(program, !cos_sin_text(model, program).empty()) + operations(program, costs);
+         left_out(used) + spellings(used) +
+         conventions(program, takes_turns(model, program) && model.optimize != Optimize::size, Syntax(model)) + operations(program, costs);
 }
 
 }  // namespace kanec::emit

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/prepare.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "generator/emit/calls.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/spelling.hpp"
 
 namespace kanec::emit {
 namespace {
@@ -72,27 +74,48 @@ class Owners {
   std::vector<int> owner_;
 };
 
-std::string named_struct(const std::string& what, const std::string& name, const std::vector<scene::Named>& list) {
-  std::string text = "// " + what + "\ntemplate <class T>\nstruct " + name + " {\n";
-  for (const scene::Named& named : list) text += "  T " + named.name + " = T(" + literal(named.value) + ");\n";
-  return text + "};\n\n";
+// In C, which has no empty structs and no defaults of members, a function gives these: default_parameters().
+std::string named_struct(const std::string& what, const std::string& name, const std::string& defaults,
+                         const std::vector<scene::Named>& list, const Syntax& syntax) {
+  std::string text = "// " + what + "\n" + syntax.open_struct(name);
+  std::string values;
+  for (const scene::Named& named : list) {
+    const std::string field = scene::spelled(named.name), value = " = " + syntax.number(literal(named.value)) + ";\n";
+    text += "  " + syntax.scalar() + " " + field + (syntax.is_c() ? ";\n" : value);
+    values += "  list." + field + value;
+  }
+  if (!syntax.is_c()) return text + syntax.close_struct(name) + "\n";
+  if (list.empty()) text += "  char none;\n", values = "  list.none = 0;\n";
+  return text + syntax.close_struct(name) + "static inline " + syntax.type(name) + " " + syntax.global(defaults) +
+         "(void) {\n  " + syntax.type(name) + " list;\n" + values + "  return list;\n}\n\n";
+}
+
+// Whether prepare() calls nothing that is no constant expression; nor are any in C.
+bool is_constant(const program::Program& program, const std::vector<Stage>& stages) {
+  const std::vector<std::string> called = functions_called(program, stages, Stage::parameter);
+  return std::all_of(called.begin(), called.end(),
+                     [](const std::string& function) { return function == "min" || function == "max"; });
 }
 
 }  // namespace
 
-Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<Stage>& stages) {
+Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<Stage>& stages,
+                         const Syntax& syntax) {
   Preparation result;
   result.named.has_inputs = !used.inputs.empty();
-  result.text = named_struct("Run-time parameters with the scene's defaults, SI units.", "Parameters", used.parameters);
+  result.text = named_struct("Run-time parameters with the scene's defaults, SI units.", "Parameters",
+                             "default_parameters", used.parameters, syntax);
   if (result.named.has_inputs)
-    result.text += named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", used.inputs);
+    result.text += named_struct("Run-time inputs with the scene's defaults, SI units.", "Inputs", "default_inputs",
+                                used.inputs, syntax);
   const std::vector<Ref> wanted = fields(program, stages);
   const auto known = labels(program);
   Scope scope;  // of prepare()
   Scope fields;
-  for (const char* name : {"T", "p", "c"}) scope.reserve(name), fields.reserve(name);
+  for (const std::string& name : {std::string("T"), std::string("p"), std::string("c"), syntax.scalar()})
+    scope.reserve(name), fields.reserve(name);
   for (const std::string& name : functions_called(program)) scope.reserve(name);
-  Statements statements(program, stages, Stage::parameter, wanted, scope);
+  Statements statements(program, stages, Stage::parameter, wanted, scope, syntax);
   std::string members;
   std::string stores;
   const Owners owners(program);
@@ -103,18 +126,19 @@ Preparation emit_prepare(const Used& used, const program::Program& program, cons
     const std::string name = fields.unique(
         label != known.end() ? label->second : "c" + std::to_string(body) + "_" + std::to_string(++unnamed[body]));
     statements.define(name, field);
-    members += "  T " + name + ";\n";
+    members += "  " + syntax.scalar() + " " + name + ";\n";
     stores += "  c." + name + " = " + statements.value(field) + ";\n";
-    result.named.prepared[field.node] = {"c." + name, false};
+    result.named.prepared[field.node] = {syntax.member("c", name), false};
   }
-  result.text +=
-      "// What depends on parameters only, computed once for many calls.\ntemplate <class T>\nstruct Prepared {\n"
-      "  Parameters<T> p;\n" +
-      members + "};\n\n";
-  result.text += "// prepare: " + program::text(program::prepare_ledger(program)) +
-                 "\ntemplate <class T>\nPrepared<T> prepare([[maybe_unused]] const Parameters<T>& p) noexcept {\n" +
-                 usings(program, reachable(program, wanted), stages, Stage::parameter) +
-                 "  Prepared<T> c{};\n  c.p = p;\n";
+  const std::string type = syntax.type("Prepared"), parameters = syntax.type("Parameters");
+  result.text += "// What depends on parameters only, computed once for many calls.\n" + syntax.open_struct("Prepared") +
+                 "  " + parameters + " p;\n" + members + syntax.close_struct("Prepared") + "\n";
+  const bool constant = !syntax.is_c() && is_constant(program, stages);
+  result.text += "// prepare: " + program::text(program::prepare_ledger(program)) + "\n" +
+                 syntax.opening((constant ? "constexpr " : "") + type, "prepare",
+                                syntax.maybe_unused(syntax.given(parameters, "p")), {}) +
+                 usings(program, reachable(program, wanted), stages, Stage::parameter, syntax) +
+                 (syntax.is_c() ? "  " + type + " c;\n  c.p = *p;\n" : "  " + type + " c{};\n  c.p = p;\n");
   for (const std::string& line : statements.take_lines()) result.text += line + "\n";
   result.text += stores + "  return c;\n}\n";
   return result;

@@ -16,6 +16,7 @@ struct Preparation {
   std::string text;  // the structs and prepare()
 };
 
-Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<program::Stage>& stages);
+Preparation emit_prepare(const Used& used, const program::Program& program, const std::vector<program::Stage>& stages,
+                         const Syntax& syntax);
 
 }  // namespace kanec::emit

@@ -38,7 +38,7 @@ std::unordered_map<Index, std::string> labels_of(const program::Function& functi
 
 // What stands around the statements: the arguments and members of the class, and names of the state.
 Scope series_scope(const program::Program& program, const program::Function& function) {
-  Scope scope = function_scope(program, function);
+  Scope scope = function_scope(program, function, Syntax());
   for (const char* name : {"z", "zdot", "k", "n", "now", "v", "f", "s", "F", "S", "N", "count", "size", "stride",
                            "order", "values", "next", "coefficients", "products", "n_products"})
     scope.reserve(name);
@@ -164,7 +164,7 @@ class Recursions {
 
   std::string new_name(Index i) {
     if (const auto* variable = std::get_if<program::Variable>(&node(i)))
-      return variable_name(series_.program, *variable, Stage::state);
+      return variable_name(series_.program, *variable, Stage::state, Syntax());
     const auto known = labels_.find(i);
     if (known != labels_.end()) return unique(known->second);
     return unique(prefix_ + std::to_string(++temporaries_[prefix_]));
@@ -211,7 +211,7 @@ class Recursions {
       return {"T(" + literal(std::abs(value)) + ")", 2, value < 0};
     }
     if (const auto* variable = std::get_if<program::Variable>(&node(i)))
-      return {variable_name(series_.program, *variable, Stage::state)};
+      return {variable_name(series_.program, *variable, Stage::state, Syntax())};
     const auto prepared = named_.prepared.find(i);
     if (prepared != named_.prepared.end()) return {prepared->second.text, 2, prepared->second.negative};
     if (is_held(i)) {
@@ -244,10 +244,10 @@ class Recursions {
             [&](const program::Cosine& op) { return Term{call("cos", op.a)}; },
             [&](const program::UnaryCall& op) { return Term{call(program::name(op.function), op.a)}; },
             [&](const program::BinaryCall& op) {
-              return Term{program::name(op.function) + ("(" + argument(op.a)) + ", " + argument(op.b) + ")"};
+              return Term{Syntax().call(program::name(op.function)) + "(" + argument(op.a) + ", " + argument(op.b) + ")"};
             },
             [&](const program::Select& op) {
-              return Term{"select(" + below_zero(value(op.sign)) + ", " + argument(op.a) + ", " + argument(op.b) + ")"};
+              return Term{"select(" + below_zero(value(op.sign), "T(0)") + ", " + argument(op.a) + ", " + argument(op.b) + ")"};
             },
         },
         node(i));
@@ -333,10 +333,10 @@ class Recursions {
 
   std::string choice(Index i) {
     if (const auto* op = std::get_if<program::Select>(&node(i)))
-      return "select(" + below_zero(value_then(op->sign)) + ", " + coefficient_of(op->a) + ", " +
+      return "select(" + below_zero(value_then(op->sign), "T(0)") + ", " + coefficient_of(op->a) + ", " +
              coefficient_of(op->b) + ")";
     if (const auto* op = std::get_if<program::UnaryCall>(&node(i)))
-      return "select(" + below_zero(value_then(op->a)) + ", -" + coefficient_of(op->a) + ", " + coefficient_of(op->a) +
+      return "select(" + below_zero(value_then(op->a), "T(0)") + ", -" + coefficient_of(op->a) + ", " + coefficient_of(op->a) +
              ")";
     const auto& op = std::get<program::BinaryCall>(node(i));
     const std::string a = text(value_then(op.a)), b = text(value_then(op.b));

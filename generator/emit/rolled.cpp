@@ -54,7 +54,9 @@ class Loops {
  public:
   Loops(const Model& model, const program::Program& program, const program::Function& function, const Rolled& rolled,
         const Named& named)
-      : arguments_(program, function, named.has_inputs),
+      : syntax_(model),
+        inner_(syntax_.within(function.name + "_sections")),
+        arguments_(program, function, named.has_inputs, syntax_),
         function_(function),
         rolled_(rolled),
         scope_{&model,
@@ -62,6 +64,8 @@ class Loops {
                &function,
                &rolled,
                &named,
+               syntax_,
+               inner_,
                field_names(rolled),
                Angles(program, function, model.optimize)} {}
 
@@ -71,28 +75,31 @@ class Loops {
     for (const program::SectionClass& kind : rolled_.classes) {
       const int number = ++numbers[section_name(kind, 0)];
       const SectionText made = section_text(scope_, kind, number, gathered_);
-      calls_.push_back(made.name + "(" + made.arguments + ");");
+      calls_.push_back(inner_.global(made.name) + "(" + made.arguments + ");");
       tables += made.tables;
       functions += "\n" + made.function;
     }
     const std::string space = function_.name + "_sections";
-    return "namespace " + space + " {\n\n" + frame_text() + number_text() + tables + functions + "\n}  // namespace " +
-           space + "\n\n" + main_text(space);
+    const std::string own = frame_text() + number_text() + tables + functions + "\n";
+    if (syntax_.is_c()) return own + main_text(space);
+    return syntax_.open(space) + "\n" + own + syntax_.close(space) + "\n" + main_text(space);
   }
 
  private:
   // Places in a body's frame of what other sections read.
   std::string frame_text() const {
+    const Syntax frame = inner_.within("frame");
     std::string list;
     for (std::size_t i = 0; i < scope_.fields.size(); ++i)
-      list += (i == 0 ? "" : ", ") + scope_.fields[i] + " = " + std::to_string(rolled_.slots[i]);
+      list += (i == 0 ? "" : ", ") + frame.global(scope_.fields[i]) + " = " + std::to_string(rolled_.slots[i]);
     if (list.empty()) return "";
     return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body has both\n"
-           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n"
-           "namespace frame {\n" + indented_block("inline constexpr int " + list + ";", "    ") + "}  // namespace frame\n\n";
+           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n" +
+           syntax_.open("frame") + frame.constants(list) + syntax_.close("frame") + "\n";
   }
 
-  static std::string number_text() {
+  std::string number_text() const {
+    if (syntax_.is_c()) return "";
     return "// how constants stand in tables\ntemplate <class T>\nstruct Constants {\n  using Number = double;\n};\n"
            "template <>\nstruct Constants<float> {\n  using Number = float;\n};\n"
            "template <class T>\nusing Number = typename Constants<T>::Number;\n\n";
@@ -100,11 +107,11 @@ class Loops {
 
 
   // Inputs or results of parameters as an array that tables can point into.
-  static std::string array(const std::string& name, std::vector<std::string> entries) {
+  std::string array(const std::string& name, const std::vector<std::string>& entries) const {
     if (entries.empty()) return "";
     std::string list;
     for (const std::string& entry : entries) list += (list.empty() ? "" : ", ") + entry;
-    return indented_block("  const T " + name + "[] = {" + list + "};", "      ");
+    return indented_block("  const " + syntax_.scalar() + " " + name + "[] = {" + list + "};", "      ");
   }
 
   static std::vector<Index> in_place(const std::map<Index, Index>& places) {
@@ -116,17 +123,20 @@ class Loops {
   std::string arrays() const {
     std::vector<std::string> inputs, prepared;
     for (const Index i : in_place(gathered_.inputs))
-      inputs.push_back(variable_name(*scope_.program, {program::Group::input, i}, program::Stage::state));
+      inputs.push_back(variable_name(*scope_.program, {program::Group::input, i}, program::Stage::state, syntax_));
     for (const Index node : in_place(gathered_.prepared))
-      prepared.push_back(prepared_name(*scope_.program, *scope_.named, node));
+      prepared.push_back(prepared_name(*scope_.program, *scope_.named, node, syntax_));
     return array("inputs", inputs) + array("prepared", prepared);
   }
 
   std::string main_text(const std::string& space) const {
-    std::string text = "template <class T>\n" + indented_block("void " + function_.name + "(" + arguments_.parameters() + ") noexcept {", "    ");
-    text += "  using namespace " + space + ";\n";
-    text += "  [[maybe_unused]] T frames[" + std::to_string(std::max(rolled_.frames_size, 1)) + "];\n" + arrays() +
-            scope_.angles.declarations("  ") + scope_.angles.calls("");
+    std::string text = syntax_.opening("void", function_.name, arguments_.parameters(), arguments_.unused());
+    if (!syntax_.is_c()) text += "  using namespace " + space + ";\n";
+    text += "  " +
+            syntax_.maybe_unused(syntax_.scalar() + " frames[" + std::to_string(std::max(rolled_.frames_size, 1)) +
+                                 "];\n") +
+            syntax_.unused({"frames"}) + arrays() + scope_.angles.declarations(syntax_, "  ") +
+            scope_.angles.calls(syntax_, "");
     const std::vector<Run> all = runs(rolled_);
     constexpr std::size_t most_loops = 12;
     return text + (all.size() <= most_loops ? loops(all) : steps()) + "}\n";
@@ -150,15 +160,20 @@ class Loops {
       largest = std::max({largest, step.of, step.member});
       list += (list.empty() ? "{" : ", {") + std::to_string(step.of) + "," + std::to_string(step.member) + "}";
     }
-    std::string text = "  // kind of section, and row of its tables\n  static constexpr " +
-                       std::string(largest < 256 ? "unsigned char" : "unsigned short") + " steps[][2] = {\n";
+    std::string text = "  // kind of section, and row of its tables\n  " +
+                       syntax_.local_table(largest < 256 ? "unsigned char" : "unsigned short") + " steps[][2] = {\n";
     text += indented_block("      " + list + "};", "      ");
-    text += "  for (const auto& step : steps) {\n    [[maybe_unused]] const int row = step[1];\n    switch (step[0]) {\n";
+    const std::string step = syntax_.is_c() ? "steps[step]" : "step";
+    text += syntax_.is_c() ? "  for (int step = 0; step < " + std::to_string(rolled_.steps.size()) + "; ++step) {\n"
+                           : "  for (const auto& step : steps) {\n";
+    text += "    " + syntax_.maybe_unused("const int row = " + step + "[1];\n") + syntax_.unused({"row"}, "    ") +
+            "    switch (" + step + "[0]) {\n";
     for (std::size_t c = 0; c < calls_.size(); ++c)
       text += indented_block("      case " + std::to_string(c) + ": " + calls_[c] + " break;", "          ");
     return text + "    }\n  }\n";
   }
 
+  Syntax syntax_, inner_;  // of the model, and of what this function is made of
   ArgumentList arguments_;
   const program::Function& function_;
   const Rolled& rolled_;

@@ -2,6 +2,7 @@
 #include "generator/emit/scope.hpp"
 
 #include "generator/emit/calls.hpp"
+#include "generator/emit/language.hpp"
 #include "generator/emit/statements.hpp"
 
 namespace kanec::emit {
@@ -12,16 +13,17 @@ std::string Scope::unique(const std::string& wish) {
   return name;
 }
 
-Scope function_scope(const program::Program& program, const program::Function& function) {
+Scope function_scope(const program::Program& program, const program::Function& function, const Syntax& syntax) {
   Scope scope;
   for (const char* name : {"T", "c", "t", "x", "y", "ydot", "u", "i", "j", "block", "place", "places", "shared",
                            "cosines", "sines", "cos_sin", "select"})
     scope.reserve(name);
+  scope.reserve(syntax.scalar());
   for (const program::Result& result : results(function)) scope.reserve(result.out);
   const std::vector<bool> alive = reachable(program, function.outputs);
   for (std::size_t i = 0; i < alive.size(); ++i)
     if (const auto* variable = std::get_if<program::Variable>(&program.nodes[i]); variable != nullptr && alive[i])
-      scope.reserve(variable_name(program, *variable, program::Stage::state));
+      scope.reserve(variable_name(program, *variable, program::Stage::state, syntax));
   for (const std::string& name : functions_called(program)) scope.reserve(name);
   return scope;
 }

@@ -9,6 +9,8 @@
 
 namespace kanec::emit {
 
+class Syntax;
+
 class Scope {
  public:
   // Taken by what stands around: arguments, arrays, functions called.
@@ -23,6 +25,6 @@ class Scope {
 
 // What a function over the state has around it: its arguments and results, the entries of these that it reads, by name,
 // and the library functions that the program calls.
-Scope function_scope(const program::Program& program, const program::Function& function);
+Scope function_scope(const program::Program& program, const program::Function& function, const Syntax& syntax);
 
 }  // namespace kanec::emit

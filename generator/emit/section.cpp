@@ -20,7 +20,7 @@ bool is_of_state(Group group) { return group == Group::x || group == Group::y ||
 
 // Entries of the state that no section before has read, a vector a line.
 std::string loads(const program::Program& program, const Section& section,
-                  std::set<std::pair<Group, program::Index>>& known) {
+                  std::set<std::pair<Group, program::Index>>& known, const Syntax& syntax) {
   std::set<std::pair<Group, program::Index>> read;
   for (const Variable& v : section.reads)
     if (is_of_state(v.group) && known.insert({v.group, v.index}).second)
@@ -28,29 +28,23 @@ std::string loads(const program::Program& program, const Section& section,
   std::string result;
   std::string vector;
   for (const auto& [group, index] : read) {
-    const std::string name = variable_name(program, {group, index}, program::Stage::state);
+    const std::string name = variable_name(program, {group, index}, program::Stage::state, syntax);
     const std::string stem = name.substr(0, name.rfind('_'));
-    result += stem == vector ? ", " : (result.empty() ? "  const T " : ";\n  const T ");
+    result += stem == vector ? ", " : (result.empty() ? "" : ";\n") + ("  const " + syntax.scalar() + " ");
     vector = stem;
     result += name + " = " + array(group) + "[" + std::to_string(index) + "]";
   }
   return result.empty() ? "" : result + ";\n";
 }
 
-std::string body(const program::Program& program, std::span<const Section> sections) {
+std::string body(const program::Program& program, std::span<const Section> sections, const Syntax& syntax) {
   std::set<std::pair<Group, program::Index>> known;
   std::string text;
   for (const Section& section : sections) {
     if (!section.heading.empty()) text += "\n  // ---- " + section.heading + "\n";
-    text += loads(program, section, known);
+    text += loads(program, section, known, syntax);
     for (const std::string& line : section.lines) text += line + "\n";
   }
-  return text;
-}
-
-std::string opening(const std::string& name, const std::string& parameters) {
-  std::string text = "template <class T>\n";
-  for (const std::string& line : wrapped(name + "(" + parameters + ") noexcept {", "    ")) text += line + "\n";
   return text;
 }
 
@@ -96,47 +90,62 @@ std::string listed(const std::string& front, const std::set<std::string>& names,
 }
 
 std::string split(const program::Program& program, const Shape& shape,
-                  const std::vector<std::span<const Section>>& pieces) {
-  const std::string space = shape.name + "_pieces";
+                  const std::vector<std::span<const Section>>& pieces, const Syntax& syntax) {
+  const std::string space = shape.name + "_pieces", real = syntax.scalar();
+  const Syntax inner = syntax.within(space);
   std::vector<Names> names;
   std::set<std::string> crossing;
   for (const auto& piece : pieces) {
     names.push_back(names_of(piece));
     crossing.insert(names.back().taken.begin(), names.back().taken.end());
   }
-  std::string text = "namespace " + space +
-                     " {\n\n// results that one piece makes and another uses\ntemplate <class T>\nstruct Shared {\n" +
-                     listed("  T ", crossing, ", ", ";") + shape.angles.declarations("  ") + "};\n";
+  const std::string none = crossing.empty() && shape.angles.empty() && syntax.is_c() ? "  char none;\n" : "";
+  std::string text = syntax.open(space) + (syntax.is_c() ? "" : "\n") +
+                     "// results that one piece makes and another uses\n" + inner.open_struct("Shared") +
+                     listed("  " + real + " ", crossing, ", ", ";") + shape.angles.declarations(syntax, "  ") + none +
+                     inner.close_struct("Shared");
   std::string calls;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
-    const std::string local = shape.out_local.empty() ? "" : ", [[maybe_unused]] T* " + shape.out_local;
+    const std::string local =
+        shape.out_local.empty() ? "" : ", " + syntax.maybe_unused(real + "* " + shape.out_local);
+    std::vector<std::string> unused = shape.piece_unused;
+    if (!local.empty()) unused.push_back(shape.out_local);
+    unused.push_back("shared");
     text += "\n" +
-            opening("[[gnu::noinline]] void " + name,
-                    shape.piece_parameters + local + ", [[maybe_unused]] Shared<T>& shared") +
+            inner.opening("void", name,
+                          shape.piece_parameters + local + ", " +
+                              syntax.maybe_unused(syntax.written(inner.type("Shared"), "shared")),
+                          unused, true) +
             shape.usings;
     if (!shape.angles.empty())
-      text += "  [[maybe_unused]] const T *const cosines = shared.cosines, *const sines = shared.sines;\n";
-    for (const std::string& taken : names[i].taken) text += "  const T " + taken + " = shared." + taken + ";\n";
-    text += body(program, pieces[i]);
+      text += "  " +
+              syntax.maybe_unused("const " + real + " *const cosines = " + syntax.member("shared", "cosines") +
+                                  ", *const sines = " + syntax.member("shared", "sines") + ";\n") +
+              syntax.unused({"cosines", "sines"});
+    for (const std::string& taken : names[i].taken)
+      text += "  const " + real + " " + taken + " = " + syntax.member("shared", taken) + ";\n";
+    text += body(program, pieces[i], syntax);
     for (const std::string& made : names[i].made)
-      if (crossing.count(made) > 0) text += "  shared." + made + " = " + made + ";\n";
+      if (crossing.count(made) > 0) text += "  " + syntax.member("shared", made) + " = " + made + ";\n";
     text += "}\n";
-    calls += "  " + space + "::" + name + "(" + shape.arguments + (local.empty() ? "" : ", " + shape.out_local) +
-             ", shared);\n";
+    calls += "  " + syntax.from_outside(space, name) + "(" + shape.arguments +
+             (local.empty() ? "" : ", " + shape.out_local) + ", " + (syntax.is_c() ? "&shared" : "shared") + ");\n";
   }
-  text += "\n}  // namespace " + space + "\n\n";
-  return text + opening("void " + shape.name, shape.parameters) + shape.begin + "  " + space + "::Shared<T> shared;\n" +
-         shape.angles.calls("shared.") + calls + shape.end + "}\n";
+  text += "\n" + syntax.close(space) + (syntax.is_c() ? "" : "\n");
+  return text + syntax.opening("void", shape.name, shape.parameters, shape.unused) + shape.begin + "  " +
+         syntax.from_outside(space, syntax.is_c() ? "Shared" : "Shared<T>") + " shared;\n" +
+         shape.angles.calls(syntax, "shared.") + calls + shape.end + "}\n";
 }
 
 }  // namespace
 
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,
-                          const Lengths& lengths) {
-  if (length(sections) > lengths.whole) return split(program, shape, cut(sections, lengths.piece));
-  return opening("void " + shape.name, shape.parameters) + shape.usings + shape.begin +
-         shape.angles.declarations("  ") + shape.angles.calls("") + body(program, sections) + shape.end + "}\n";
+                          const Lengths& lengths, const Syntax& syntax) {
+  if (length(sections) > lengths.whole) return split(program, shape, cut(sections, lengths.piece), syntax);
+  return syntax.opening("void", shape.name, shape.parameters, shape.unused) + shape.usings + shape.begin +
+         shape.angles.declarations(syntax, "  ") + shape.angles.calls(syntax, "") + body(program, sections, syntax) +
+         shape.end + "}\n";
 }
 
 }  // namespace kanec::emit

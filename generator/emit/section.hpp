@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/emit/angles.hpp"
+#include "generator/emit/language.hpp"
 #include "generator/emit/model.hpp"
 #include "generator/program/program.hpp"
 
@@ -24,8 +25,10 @@ struct Section {
 // 27 s for 40,000), so longer ones are cut at sections into pieces that share a struct of the results that cross cuts.
 struct Shape {
   std::string name;        // "accelerations"
-  std::string parameters;  // of the template
+  std::string parameters;
+  std::vector<std::string> unused;
   std::string piece_parameters;  // the same where any may be unused
+  std::vector<std::string> piece_unused;
   std::string arguments;   // as passed on to a piece
   std::string begin;       // statements before the sections
   std::string end;         // and after
@@ -35,6 +38,6 @@ struct Shape {
 };
 
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,
-                          const Lengths& lengths);
+                          const Lengths& lengths, const Syntax& syntax);
 
 }  // namespace kanec::emit

@@ -9,6 +9,7 @@
 #include "generator/emit/columns.hpp"
 #include "generator/emit/letters.hpp"
 #include "generator/emit/statements.hpp"
+#include "generator/scene/spelling.hpp"
 #include "runtime/base/error.hpp"
 
 namespace kanec::emit {
@@ -47,6 +48,7 @@ class Text {
     for (const char* name : {"T", "c", "t", "x", "y", "ydot", "u", "inputs", "prepared", "frames", "row", "k", "own",
                              "frame", "cosines", "sines", "select", "Number"})
       names_.reserve(name);
+    names_.reserve(syntax().scalar());
     for (const program::Result& made : results(*scope.function)) names_.reserve(made.out);
     for (const std::string& function : functions_called(*scope.program)) names_.reserve(function);
     for (const Index k : kind.bodies) own_.push_back(std::max(k, 0));
@@ -65,6 +67,8 @@ class Text {
 
  private:
   const program::Program& program() const { return *scope_.program; }
+  const Syntax& syntax() const { return scope_.syntax; }
+  std::string real() const { return syntax().scalar(); }
 
   // Letters of the bodies whose results are read, K for the body itself; of a single body, their numbers.
   void find_frames() {
@@ -145,7 +149,7 @@ class Text {
       for (const Index k : places) begins.push_back(scope_.rolled->begins[at(k)]);
       const std::string index = are_equal(places) ? std::to_string(begins[0]) : letter;
       if (!are_equal(places)) body_columns_.push_back({letter, begins});
-      const std::string type = places == own_ ? "T* const " : "const T* const ";
+      const std::string type = places == own_ ? real() + "* const " : "const " + real() + "* const ";
       frames_text_ += "  " + type + name + " = frames + " + index + ";\n";
     }
     return name;
@@ -157,15 +161,15 @@ class Text {
     return result;
   }
 
-  std::string field(Index i) const { return "frame::" + scope_.fields[at(i)]; }
+  std::string field(Index i) const { return scope_.inner.from_outside("frame", scope_.fields[at(i)]); }
 
   void load(std::size_t i, const std::string& name, const std::string& value) {
     body_.names.x[i] = names_.unique(name);
-    loads_ += block_text("  const T " + body_.names.x[i] + " = " + value + ";", "      ");
+    loads_ += block_text("  const " + real() + " " + body_.names.x[i] + " = " + value + ";", "      ");
   }
 
   std::string variable(Index i, program::Group group) const {
-    return lettered_name(variable_name(program(), {group, i}, Stage::state), letters_);
+    return lettered_name(variable_name(program(), {group, i}, Stage::state, syntax()), letters_);
   }
 
   // What the section reads, under the names that its statements use.
@@ -177,7 +181,7 @@ class Text {
   void name_leaf(std::size_t i, const Leaf& leaf) {
     switch (leaf.kind) {
       case LeafKind::constant:
-        body_.names.x[i] = "T(k[" + count(numbers_.size()) + "])";
+        body_.names.x[i] = syntax().number("k[" + count(numbers_.size()) + "]");
         numbers_.push_back(&leaf.numbers);
         return;
       case LeafKind::x: return load_state(i, leaf, program::Group::x);
@@ -237,18 +241,18 @@ class Text {
 
   void name_input(std::size_t i, const Leaf& leaf) {
     if (are_equal(leaf.places))
-      body_.names.x[i] = used("u") + "." + program().names.inputs[at(leaf.places[0])];
+      body_.names.x[i] = syntax().member(used("u"), scene::spelled(program().names.inputs[at(leaf.places[0])]));
     else
-      load(i, lettered_name(program().names.inputs[at(leaf.places[0])], letters_),
+      load(i, lettered_name(scene::spelled(program().names.inputs[at(leaf.places[0])]), letters_),
            used("inputs") + "[" + columns_.index("u", gathered(leaf, gathered_.inputs)) + "]");
   }
 
   void name_prepared(std::size_t i, const Leaf& leaf) {
-    const std::string name = prepared_name(program(), *scope_.named, leaf.places[0]);
+    const std::string name = prepared_name(program(), *scope_.named, leaf.places[0], syntax());
     if (are_equal(leaf.places))
       body_.names.x[i] = used("c") + name.substr(1);
     else
-      load(i, lettered_name(name.substr(name.rfind('.') + 1), letters_),
+      load(i, lettered_name(name.substr(name.find_last_of(".>") + 1), letters_),
            used("prepared") + "[" + columns_.index("c", gathered(leaf, gathered_.prepared)) + "]");
   }
 
@@ -262,7 +266,7 @@ class Text {
   std::string make_statements() {
     const program::Function& function = body_.functions[0];
     const std::vector<Stage> stages = program::stages(body_);
-    Statements statements(body_, stages, Stage::state, function.outputs, names_);
+    Statements statements(body_, stages, Stage::state, function.outputs, names_, syntax());
     const char* letter = kind_.pass == program::Pass::outward ? "t" : kind_.pass == program::Pass::inward ? "b" : "z";
     take_turns(statements);
     statements.number_temporaries(letter + (own_[0] > 0 ? letter_of_.at(own_) : "") + "_");
@@ -318,16 +322,22 @@ class Text {
 
   // All that a section may take; results are pointers to what is written.
   std::vector<std::pair<std::string, std::string>> possible_parameters() const {
-    std::vector<std::pair<std::string, std::string>> list = {
-        {"c", "const Prepared<T>& "}, {"t", "T "},         {"x", "const T* "},      {"y", "const T* "},
-        {"ydot", "const T* "},        {"u", "const Inputs<T>& "}, {"inputs", "const T* "}, {"prepared", "const T* "}};
+    const std::string entries = "const " + real() + "* ", written = real() + "* ";
+    std::vector<std::pair<std::string, std::string>> list = {{"c", syntax().given(syntax().type("Prepared"), "")},
+                                                             {"t", real() + " "},
+                                                             {"x", entries},
+                                                             {"y", entries},
+                                                             {"ydot", entries},
+                                                             {"u", syntax().given(syntax().type("Inputs"), "")},
+                                                             {"inputs", entries},
+                                                             {"prepared", entries}};
     for (const program::Result& result : results(*scope_.function)) {
       std::erase_if(list, [&](const auto& argument) { return argument.first == result.out; });
-      list.push_back({result.out, "T* "});
+      list.push_back({result.out, written});
     }
-    list.push_back({"cosines", "const T* "});
-    list.push_back({"sines", "const T* "});
-    list.push_back({"frames", "T* "});
+    list.push_back({"cosines", entries});
+    list.push_back({"sines", entries});
+    list.push_back({"frames", written});
     list.push_back({"row", "int "});
     return list;
   }
@@ -339,7 +349,7 @@ class Text {
       parameters += (parameters.empty() ? "" : ", ") + type + name;
       result_.arguments += (result_.arguments.empty() ? "" : ", ") + name;
     }
-    return "template <class T>\n" + block_text("[[gnu::noinline]] void " + result_.name + "(" + parameters + ") noexcept {", "    ");
+    return scope_.inner.opening("void", result_.name, parameters, {}, true);
   }
 
   std::string using_text() const {
@@ -347,7 +357,7 @@ class Text {
     std::vector<bool> wanted = reachable(body_, body_.functions[0].outputs);
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (is_turn(body_.nodes[i]) && angle(operands(body_.nodes[i]).at[0]) != nullptr) wanted[i] = false;
-    return usings(body_, wanted, stages, Stage::state);
+    return usings(body_, wanted, stages, Stage::state, syntax());
   }
 
   std::vector<std::pair<std::string, Columns::Places>> all_columns() const {
@@ -359,10 +369,20 @@ class Text {
   std::string columns_text() {
     if (!numbers_.empty() || !all_columns().empty()) parameters_.insert("row");
     std::string names;
-    for (const auto& [name, places] : all_columns()) names += (names.empty() ? "" : ", ") + name;
+    const std::string places_table = scope_.inner.global(result_.name + "_places") + "[row]";
+    const std::string numbers_table = scope_.inner.global(result_.name + "_numbers");
+    std::size_t column = 0;
+    for (const auto& [name, places] : all_columns()) {
+      names += (names.empty() ? "" : ", ") + name;
+      if (syntax().is_c()) names += " = " + places_table + "[" + count(column++) + "]";
+    }
     std::string text;
-    if (!names.empty()) text = block_text("  const auto& [" + names + "] = " + result_.name + "_places[row];", "      ");
-    if (!numbers_.empty()) text += "  const auto& k = " + result_.name + "_numbers<Number<T>>[row];\n";
+    if (!names.empty())
+      text = block_text(syntax().is_c() ? "  const int " + names + ";" : "  const auto& [" + names + "] = " + places_table + ";",
+                   "      ");
+    if (!numbers_.empty())
+      text += syntax().is_c() ? "  const kanec_real* const k = " + numbers_table + "[row];\n"
+                              : "  const auto& k = " + numbers_table + "<Number<T>>[row];\n";
     return text;
   }
 
@@ -376,17 +396,27 @@ class Text {
         largest = std::max(largest, *std::max_element(places.begin(), places.end()));
         names += (names.empty() ? "" : ", ") + name;
       }
-      result_.tables += "inline constexpr " + type_for(at(largest)) + " " + result_.name + "_places[" + count(n) + "][" +
-                        count(columns.size()) + "] = {  // " + names + "\n";
+      const std::string table = scope_.inner.table(type_for(at(largest)), result_.name + "_places",
+                                                   "[" + count(n) + "][" + count(columns.size()) + "]");
+      const std::string line = table + "{  // " + names + "\n";
+      result_.tables += wrapped(line, "").size() == 1 ? line : block_text("// " + names, "// ") + table + "{\n";
       for (std::size_t m = 0; m < n; ++m)
         result_.tables += row([&](std::size_t j) { return std::to_string(columns[j].second[m]); }, columns.size());
       result_.tables += "};\n";
     }
     if (numbers_.empty()) return;
-    result_.tables += "template <class C>\ninline constexpr C " + result_.name + "_numbers[" + count(n) + "][" +
-                      count(numbers_.size()) + "] = {\n";
+    const std::string number = syntax().is_c() ? real() : "C";
+    result_.tables += (syntax().is_c() ? "" : "template <class C>\n") +
+                      scope_.inner.table(number, result_.name + "_numbers",
+                                         "[" + count(n) + "][" + count(numbers_.size()) + "]") +
+                      "{\n";
     for (std::size_t m = 0; m < n; ++m)
-      result_.tables += row([&](std::size_t j) { return "C(" + literal((*numbers_[j])[m].rounded()) + ")"; }, numbers_.size());
+      result_.tables += row(
+          [&](std::size_t j) {
+            const std::string value = literal((*numbers_[j])[m].rounded());
+            return syntax().is_c() ? syntax().number(value) : "C(" + value + ")";
+          },
+          numbers_.size());
     result_.tables += "};\n";
   }
 

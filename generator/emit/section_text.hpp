@@ -1,4 +1,4 @@
-// One kind of section of a rolled function as tables and a function template that takes a row of them. Not: the loop
+// One kind of section of a rolled function as tables and a function that takes a row of them. Not: the loop
 // that calls it (rolled.cpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
@@ -9,6 +9,7 @@
 
 #include "generator/emit/angles.hpp"
 #include "generator/emit/function.hpp"
+#include "generator/emit/language.hpp"
 #include "generator/program/rolled.hpp"
 
 namespace kanec::emit {
@@ -20,6 +21,7 @@ struct RolledScope {
   const program::Function* function = nullptr;
   const program::Rolled* rolled = nullptr;
   const Named* named = nullptr;
+  Syntax syntax, inner;             // of the model, and of what this function is made of
   std::vector<std::string> fields;  // names of the frame's
   Angles angles;                    // of which the arrays cosines and sines are
 };
@@ -31,7 +33,7 @@ struct Gathered {
 
 struct SectionText {
   std::string name;      // "outward_3"
-  std::string tables;    // constexpr arrays, empty where all bodies are alike
+  std::string tables;    // constant arrays, empty where all bodies are alike
   std::string function;
   std::string arguments;  // of a call: "x, frames, row", each the name of what is meant
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator/emit/signature.hpp"
 
+#include <utility>
+
 namespace kanec::emit {
 
 using program::Group;
@@ -21,8 +23,9 @@ Reads reads(const program::Program& program, const program::Function& function) 
   return result;
 }
 
-ArgumentList::ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs)
-    : results_(results(function)), reads_(reads(program, function)) {
+ArgumentList::ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs,
+                           Syntax syntax)
+    : results_(results(function)), reads_(reads(program, function)), syntax_(std::move(syntax)) {
   const program::Signature& signature = function.signature;
   takes_ = {true,
             reads_.time,
@@ -32,19 +35,23 @@ ArgumentList::ArgumentList(const program::Program& program, const program::Funct
             reads_.inputs || (signature.inputs && has_inputs)};
 }
 
-std::string ArgumentList::list(const Reads& read, bool any_unused) const {
-  std::string text;
-  const auto append = [&text](bool wanted, bool is_read, const std::string& parameter) {
-    if (wanted) text += (text.empty() ? "" : ", ") + std::string(is_read ? "" : "[[maybe_unused]] ") + parameter;
+ArgumentList::List ArgumentList::list(const Reads& read, bool any_unused) const {
+  List list;
+  const auto append = [&](bool wanted, bool is_read, const std::string& name, const std::string& parameter) {
+    if (!wanted) return;
+    list.text += (list.text.empty() ? "" : ", ") + (is_read ? parameter : syntax_.maybe_unused(parameter));
+    if (!is_read) list.unused.push_back(name);
   };
-  append(takes_.prepared, read.prepared, "const Prepared<T>& c");
-  append(takes_.time, read.time, "T t");
-  append(takes_.x, read.x, "const T* x");
-  append(takes_.y, read.y, "const T* y");
-  append(takes_.ydot, read.ydot, "const T* ydot");
-  append(takes_.inputs, read.inputs, "const Inputs<T>& u");
-  for (const program::Result& result : results_) append(true, !any_unused && result.count > 0, "T* " + result.out);
-  return text;
+  const std::string entry = syntax_.scalar(), entries = "const " + entry + "* ";
+  append(takes_.prepared, read.prepared, "c", syntax_.given(syntax_.type("Prepared"), "c"));
+  append(takes_.time, read.time, "t", entry + " t");
+  append(takes_.x, read.x, "x", entries + "x");
+  append(takes_.y, read.y, "y", entries + "y");
+  append(takes_.ydot, read.ydot, "ydot", entries + "ydot");
+  append(takes_.inputs, read.inputs, "u", syntax_.given(syntax_.type("Inputs"), "u"));
+  for (const program::Result& result : results_)
+    append(true, !any_unused && result.count > 0, result.out, entry + "* " + result.out);
+  return list;
 }
 
 std::string ArgumentList::front(const std::string& prepared, const std::string& inputs) const {

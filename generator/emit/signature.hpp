@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/language.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
@@ -20,23 +21,30 @@ Reads reads(const program::Program& program, const program::Function& function);
 // so or it reads them; inputs only where the model has any.
 class ArgumentList {
  public:
-  ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs);
+  ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs, Syntax syntax = {});
 
-  // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]].
-  std::string parameters() const { return list(reads_, false); }
+  // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]], or in C among the unused.
+  std::string parameters() const { return list(reads_, false).text; }
+  std::vector<std::string> unused() const { return list(reads_, false).unused; }
   bool takes_inputs() const { return takes_.inputs; }
   // The same where anything may be unused.
-  std::string piece_parameters() const { return list({}, true); }
+  std::string piece_parameters() const { return list({}, true).text; }
+  std::vector<std::string> piece_unused() const { return list({}, true).unused; }
   // "c, t, x, xdot" with the given expressions; a pointer `out` to all results is given on in parts.
   std::string values(const std::string& prepared, const std::string& inputs) const;
   std::string values(const std::string& prepared, const std::string& inputs, const std::string& out) const;
 
  private:
-  std::string list(const Reads& read, bool any_unused) const;
+  struct List {
+    std::string text;
+    std::vector<std::string> unused;
+  };
+  List list(const Reads& read, bool any_unused) const;
   std::string front(const std::string& prepared, const std::string& inputs) const;
 
   std::vector<program::Result> results_;
   Reads reads_, takes_;
+  Syntax syntax_;
 };
 
 }  // namespace kanec::emit

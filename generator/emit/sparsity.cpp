@@ -16,8 +16,8 @@ bool is_zero(const program::Program& program, program::Ref ref) {
 }
 
 // A list of one 0 where there is none: C++ has no empty arrays.
-std::string list(const std::string& name, const std::vector<program::Index>& values) {
-  std::string text = "inline constexpr int " + name + "[] = {";
+std::string list(const std::string& name, const std::vector<program::Index>& values, const Syntax& syntax) {
+  std::string text = syntax.table("int", name, "[]") + "{";
   for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? "" : ", ") + std::to_string(values[i]);
   std::string lines;
   for (const std::string& line : wrapped(text + (values.empty() ? "0" : "") + "};", "    ")) lines += line + "\n";
@@ -41,16 +41,16 @@ void add(std::vector<Pattern>& list, const program::Program& program, const prog
   for (std::size_t i = 0; i < known->zero.size(); ++i) known->zero[i] = known->zero[i] || is_zero(program, entries[i]);
 }
 
-std::string text_of(const Pattern& pattern) {
+std::string text_of(const Pattern& pattern, const Syntax& syntax) {
   std::vector<program::Index> row_of, column_of;
   for (std::size_t i = 0; i < pattern.zero.size(); ++i) {
     if (pattern.zero[i]) continue;
     row_of.push_back(static_cast<program::Index>(i) / pattern.columns);
     column_of.push_back(static_cast<program::Index>(i) % pattern.columns);
   }
-  return "// Entries of " + pattern.name + " that are not always 0, row by row.\ninline constexpr int " + pattern.name +
-         "_nonzeros = " + std::to_string(row_of.size()) + ";\n" + list(pattern.name + "_rows", row_of) +
-         list(pattern.name + "_columns", column_of) + "\n";
+  return "// Entries of " + pattern.name + " that are not always 0, row by row.\n" +
+         syntax.constants(syntax.global(pattern.name + "_nonzeros") + " = " + std::to_string(row_of.size())) +
+         list(pattern.name + "_rows", row_of, syntax) + list(pattern.name + "_columns", column_of, syntax) + "\n";
 }
 
 std::vector<Pattern> patterns_of(const program::Program& program) {
@@ -68,9 +68,9 @@ std::vector<Pattern> patterns_of(const program::Program& program) {
 
 }  // namespace
 
-std::string sparsity(const program::Program& program) {
+std::string sparsity(const program::Program& program, const Syntax& syntax) {
   std::string text;
-  for (const Pattern& pattern : patterns_of(program)) text += text_of(pattern);
+  for (const Pattern& pattern : patterns_of(program)) text += text_of(pattern, syntax);
   return text;
 }
 

@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <string>
 
+#include "generator/emit/language.hpp"
 #include "generator/program/program.hpp"
 
 namespace kanec::emit {
 
 // "residual_x_nonzeros", "_rows" and "_columns": rows and columns of the entries in row-major order, of each matrix
 // that some function returns, alone or in a combination.
-std::string sparsity(const program::Program& program);
+std::string sparsity(const program::Program& program, const Syntax& syntax);
 
 // The matrices that these are of, as a table of kanec_pattern `patterns`, and how many they are.
 struct PatternTable {

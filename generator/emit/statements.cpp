@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/program/overloaded.hpp"
+#include "generator/scene/spelling.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 
@@ -30,13 +31,15 @@ std::string literal(double value) {
   return is_whole && digits.size() > 9 ? digits + ".0" : digits;
 }
 
-std::string variable_name(const program::Program& program, const program::Variable& variable, Stage stage) {
+std::string variable_name(const program::Program& program, const program::Variable& variable, Stage stage,
+                          const Syntax& syntax) {
   const auto i = static_cast<std::size_t>(variable.index);
   switch (variable.group) {
     case Group::parameter:
-      return (stage == Stage::parameter ? "p." : "c.p.") + program.names.parameters[i];
+      return stage == Stage::parameter ? syntax.member("p", scene::spelled(program.names.parameters[i]))
+                                       : syntax.member("c", "p." + scene::spelled(program.names.parameters[i]));
     case Group::input:
-      return "u." + program.names.inputs[i];
+      return syntax.member("u", scene::spelled(program.names.inputs[i]));
     case Group::x:
       return program.names.x[i];
     case Group::y:
@@ -50,8 +53,13 @@ std::string variable_name(const program::Program& program, const program::Variab
 }
 
 Statements::Statements(const program::Program& program, const std::vector<Stage>& stages, Stage stage,
-                       const std::vector<Ref>& roots, Scope scope)
-    : program_(program), stages_(stages), stage_(stage), scope_(std::move(scope)), alive_(reachable(program, roots)) {
+                       const std::vector<Ref>& roots, Scope scope, Syntax syntax)
+    : program_(program),
+      stages_(stages),
+      stage_(stage),
+      scope_(std::move(scope)),
+      syntax_(std::move(syntax)),
+      alive_(reachable(program, roots)) {
   count_uses(roots);
   written_.assign(program.nodes.size(), false);
 }
@@ -76,7 +84,7 @@ void Statements::define(const std::string& label, Ref ref) {
   make_temporaries(ref.node);
   const Term t = operation(program_.nodes[at(ref.node)]);
   const Name given{scope_.unique(ref.negative != t.negative ? "minus_" + label : label), t.negative};
-  line("const T " + given.text + " = " + t.text + ";");
+  line("const " + syntax_.scalar() + " " + given.text + " = " + t.text + ";");
   defined_.push_back(given.text);
   name(ref.node, given);
 }
@@ -117,11 +125,11 @@ Term Statements::operation(const Node& node) {
   return std::visit(program::Overloaded{
                         [&](const program::Constant& op) -> Term {
                           const double value = op.value.rounded();
-                          return {"T(" + literal(std::abs(value)) + ")", 2, value < 0};
+                          return {syntax_.number(literal(std::abs(value))), 2, value < 0};
                         },
                         [&](const program::Variable& op) -> Term {
                           variables_.push_back(op);
-                          return {variable_name(program_, op, stage_), 2, false};
+                          return {variable_name(program_, op, stage_, syntax_), 2, false};
                         },
                         [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
                         [&](const program::Subtract& op) {
@@ -134,14 +142,14 @@ Term Statements::operation(const Node& node) {
                           return quotient(a, expression(op.b));
                         },
                         [&](const program::SquareRoot& op) -> Term {
-                          return {"sqrt(" + argument(op.a) + ")", 2, false};
+                          return {syntax_.call("sqrt") + "(" + argument(op.a) + ")", 2, false};
                         },
                         [&](const program::Sine& op) { return turn("sines", "sin", op.a); },
                         [&](const program::Cosine& op) { return turn("cosines", "cos", op.a); },
                         [&](const program::UnaryCall& op) { return call(op); },
                         [&](const program::BinaryCall& op) -> Term {
                           const std::string first = argument(op.a);
-                          return {program::name(op.function) + ("(" + first) + ", " + argument(op.b) + ")", 2, false};
+                          return {syntax_.call(program::name(op.function)) + "(" + first + ", " + argument(op.b) + ")", 2, false};
                         },
                         [&](const program::Select& op) { return selection(op); },
                     },
@@ -162,7 +170,7 @@ Term Statements::call(const program::UnaryCall& op) {
     case program::Unary::log:
       break;
   }
-  return {name + ("(" + argument(op.a) + ")"), 2, false};
+  return {syntax_.call(name) + "(" + argument(op.a) + ")", 2, false};
 }
 
 Term Statements::turn(const char* array, const char* function, Index a) {
@@ -174,15 +182,17 @@ Term Statements::turn(const char* array, const char* function, Index a) {
 // A sign costs nothing where the function is odd or even.
 Term Statements::odd(const char* function, Index a) {
   const Term t = expression(a);
-  return {function + ("(" + t.text + ")"), 2, t.negative};
+  return {syntax_.call(function) + "(" + t.text + ")", 2, t.negative};
 }
 
-Term Statements::even(const char* function, Index a) { return {function + ("(" + expression(a).text + ")"), 2, false}; }
+Term Statements::even(const char* function, Index a) {
+  return {syntax_.call(function) + "(" + expression(a).text + ")", 2, false};
+}
 
 Term Statements::selection(const program::Select& op) {
   const Term sign = expression(op.sign);
   const std::string first = argument(op.a);
-  return {"select(" + below_zero(sign) + ", " + first + ", " + argument(op.b) + ")", 2, false};
+  return {syntax_.call("select") + "(" + below_zero(sign, syntax_.number("0")) + ", " + first + ", " + argument(op.b) + ")", 2, false};
 }
 
 void Statements::line(const std::string& text) {

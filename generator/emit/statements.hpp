@@ -1,4 +1,4 @@
-// Nodes of a program as C++ statements: which results get a name, which stand inside an expression. Not: functions and
+// Nodes of a program as statements: which results get a name, which stand inside an expression. Not: functions and
 // files.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/emit/language.hpp"
 #include "generator/emit/scope.hpp"
 #include "generator/emit/term.hpp"
 #include "generator/program/program.hpp"
@@ -21,7 +22,7 @@ struct Name {
   bool negative = false;
 };
 
-// A number as C++ reads it back: "0.1", "2", "12345678901234567168.0" where an integer literal would be too large.
+// A number as C and C++ read it back: "0.1", "2", "12345678901234567168.0" where an integer literal would be too large.
 std::string literal(double value);
 
 // A line broken at blanks to the width of the emitted code; further lines begin with `indent`. Blanks that hold
@@ -36,7 +37,7 @@ class Statements {
   // roots: what the function returns. Nodes of another stage must have names before they are used. scope: names that are
   // taken.
   Statements(const program::Program& program, const std::vector<program::Stage>& stages, program::Stage stage,
-             const std::vector<program::Ref>& roots, Scope scope);
+             const std::vector<program::Ref>& roots, Scope scope, Syntax syntax);
 
   bool needs(program::Ref ref) const { return alive_[at(ref.node)]; }
   bool has_name(program::Ref ref) const { return names_.count(ref.node) > 0; }
@@ -81,6 +82,7 @@ class Statements {
   const std::vector<program::Stage>& stages_;
   program::Stage stage_;
   Scope scope_;
+  Syntax syntax_;
   std::vector<bool> alive_;
   std::vector<int> uses_;
   std::vector<bool> written_;  // without a name, in the expression that alone uses it
@@ -94,6 +96,7 @@ class Statements {
 };
 
 // Name of an argument's entry: "eps1_2", "u.thrust", "c.p.m_1".
-std::string variable_name(const program::Program& program, const program::Variable& variable, program::Stage stage);
+std::string variable_name(const program::Program& program, const program::Variable& variable, program::Stage stage,
+                          const Syntax& syntax);
 
 }  // namespace kanec::emit

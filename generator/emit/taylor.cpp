@@ -7,6 +7,7 @@
 #include "generator/emit/prepare.hpp"
 #include "generator/emit/recursions.hpp"
 #include "generator/emit/statements.hpp"
+#include "generator/scene/spelling.hpp"
 #include "runtime/taylor/text.hpp"
 
 namespace kanec::emit {
@@ -58,7 +59,7 @@ std::string class_text(const RecursionText& recursions, std::size_t size, bool h
   const std::string inputs = has_inputs ? ", [[maybe_unused]] const Inputs<T>& u" : "";
   std::string functions;
   for (const std::string& function : recursions.functions)
-    functions += (functions.empty() ? "    using std::" : ", std::") + function;
+    if (function != "min" && function != "max") functions += (functions.empty() ? "    using std::" : ", std::") + function;
   if (!functions.empty()) functions += ";\n";
   return meaning + run_text(std::to_string(size), inputs, has_inputs ? ", u" : "") + recursions.factors +
          recursions.sums + "  // sum, factors, sign\n" + products_text(recursions.products) +
@@ -89,15 +90,15 @@ std::string emit_taylor(const Model& model, const program::Program& program) {
   const program::Function* function = rates(program);
   if (function == nullptr || function->outputs.empty()) return "";
   const scene::Scene& scene = *model.scene;
-  const Preparation preparation = emit_prepare(used(scene, program), program, program::stages(program));
+  const Preparation preparation = emit_prepare(used(scene, program), program, program::stages(program), Syntax());
   const RecursionText recursions = recursion_text(program, *function, preparation.named);
-  const std::string code = "namespace kanec::" + scene.name + " {\n\n" +
-                           (recursions.chooses && !selects(program) ? selection() : "") +
+  const std::string code = "namespace kanec::" + scene::spelled(scene.name) + " {\n\n" +
+                           (recursions.chooses && !selects(program) ? selection(Syntax()) : "") +
                            class_text(recursions, function->outputs.size(), preparation.named.has_inputs) +
-                           "\n}  // namespace kanec::" + scene.name + "\n";
+                           "\n}  // namespace kanec::" + scene::spelled(scene.name) + "\n";
   // the header's names, and members of the class that its functions stand before
   check_code(code, {"kanec_series", "Prepared", "Inputs", "select", "values", "next", "F", "S", "products", "n_products",
-                    "stride", "now", "v", "f", "s"});
+                    "stride", "now", "v", "f", "s", "min", "max"});
   return head(model) + code;
 }
 

@@ -34,9 +34,9 @@ Term negated(Term a) {
 
 std::string text(const Term& term) { return term.negative ? "-" + in_parentheses(term, term.level == 0) : term.text; }
 
-std::string below_zero(const Term& term) {
+std::string below_zero(const Term& term, const std::string& zero) {
   const std::string value = in_parentheses(term, term.level == 0);
-  return term.negative ? "T(0) < " + value : value + " < T(0)";
+  return term.negative ? zero + " < " + value : value + " < " + zero;
 }
 
 }  // namespace kanec::emit

@@ -22,7 +22,7 @@ Term negated(Term a);
 // With its sign.
 std::string text(const Term& term);
 
-// The condition term < 0.
-std::string below_zero(const Term& term);
+// The condition term < 0; `zero` as it is written.
+std::string below_zero(const Term& term, const std::string& zero);
 
 }  // namespace kanec::emit

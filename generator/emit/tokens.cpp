@@ -39,6 +39,7 @@ class Cutter {
     if (c == '#' || follows("//")) return skip_behind("\n");
     if (follows("/*")) return skip_behind("*/");
     if (follows("[[")) return skip_behind("]]");
+    if (follows("KANEC_CALL(")) return skip_behind("KANEC_CALL");
     if (c == '"' || c == '\'') return take(TokenKind::text, quoted());
     if (is_digit(c)) return take(TokenKind::number, number());
     if (is_word(c)) return take(TokenKind::word, run([](char d) { return is_word(d); }));

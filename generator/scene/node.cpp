@@ -12,7 +12,7 @@ namespace kanec::scene {
 namespace {
 
 // Products of a few such numbers are still finite.
-constexpr double largest = 1e60;
+constexpr double largest_value = 1e60;
 
 // A key as it is shown: bare where TOML allows that, else in quotes.
 std::string shown(std::string_view key) {
@@ -50,7 +50,7 @@ double Node::real(const std::string& allowed) const {
   if (!integer && !real) refuse(allowed);
   const double number = real ? real->get() : static_cast<double>(integer->get());
   if (!std::isfinite(number)) refuse(allowed);
-  if (std::fabs(number) > largest) refuse(allowed + ", in magnitude at most " + shortest(largest));
+  if (std::fabs(number) > largest_value) refuse(allowed + ", in magnitude at most " + shortest(largest_value));
   return number;
 }
 

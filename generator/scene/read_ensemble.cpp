@@ -16,13 +16,13 @@ void check_draw(const Draw& draw, const Node& node) {
     fail(node.place(), "a negative standard deviation", "[mean, standard deviation]");
 }
 
-Draw read_draw(const Table::Entry& entry) {
+Draw read_draw(const Table::Entry& entry, const std::string& name) {
   const Table table(entry.node, "ensemble." + entry.key + ".");
   table.only({"uniform", "normal"});
   const std::vector<Table::Entry> entries = table.entries();
   if (entries.size() != 1) entry.node.refuse(drawing_rule);
   const std::vector<Node> numbers = entries[0].node.list(2, "a list of 2 numbers");
-  const Draw draw{entry.key, entries[0].key == "uniform" ? Draw::Kind::uniform : Draw::Kind::normal, numbers[0].real(),
+  const Draw draw{name, entries[0].key == "uniform" ? Draw::Kind::uniform : Draw::Kind::normal, numbers[0].real(),
                   numbers[1].real()};
   check_draw(draw, entries[0].node);
   return draw;
@@ -47,6 +47,12 @@ std::vector<std::string> scenario_names(const Scene& scene) {
   return names;
 }
 
+std::string scenario_name(const EntryNames& entries, const std::string& given) {
+  const std::optional<Entry> entry = entries.find(given);
+  if (!entry || entry->among == Entry::Among::ydot) return "";
+  return entries.numbered(entry->among)[static_cast<std::size_t>(entry->index)];
+}
+
 Ensemble read_ensemble(const Table& root, const Scene& scene) {
   const std::optional<Node> node = root.find("ensemble");
   if (!node) return {};
@@ -54,13 +60,17 @@ Ensemble read_ensemble(const Table& root, const Scene& scene) {
   Ensemble out;
   out.count = integer(table, "count", 1, most_scenarios, 100);
   out.seed = integer(table, "seed", 0, 2'147'483'647, 1);
-  const std::vector<std::string> known = scenario_names(scene);
+  const EntryNames names(scene);
   for (const Table::Entry& entry : table.entries()) {
     if (entry.key == "count" || entry.key == "seed") continue;
-    if (std::find(known.begin(), known.end(), entry.key) == known.end())
+    const std::string name = scenario_name(names, entry.key);
+    if (name.empty())
       fail(entry.node.place(), "an unknown name",
-           "count, seed, or a coordinate, speed, parameter or input: " + one_of(known, entry.key));
-    out.draws.push_back(read_draw(entry));
+           "count, seed, or a coordinate, speed, parameter or input: " + one_of(scenario_names(scene), entry.key));
+    const auto is_drawn = [&](const Draw& draw) { return draw.name == name; };
+    if (std::any_of(out.draws.begin(), out.draws.end(), is_drawn))
+      fail(entry.node.place(), "what is drawn already as " + name, "each name once");
+    out.draws.push_back(read_draw(entry, name));
   }
   return out;
 }

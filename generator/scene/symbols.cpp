@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/scene/spelling.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::scene {
@@ -36,6 +37,9 @@ bool looks_like_macro(const std::string& name) {
 void check_name(const std::string& name, const Place& place) {
   if (!is_identifier(name)) fail(place, in_quotes(name), name_rule);
   if (contains(reserved, name)) fail(place, in_quotes(name) + ", which the emitted code uses itself", "another name");
+  if (is_spelling(name))
+    fail(place, in_quotes(name) + ", which is how emitted code spells " + in_quotes(name.substr(0, name.size() - 1)),
+         "another name");
   if (looks_like_macro(name))
     fail(place, in_quotes(name) + ", which may be a macro in C headers", "a name with small letters");
 }

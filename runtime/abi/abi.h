@@ -1,4 +1,5 @@
-/* What a compiled model and the runtime agree on. Not for embedders: they include the emitted header alone.
+/* What a compiled model and its callers agree on: kanec's own runtime, and any program that calls C (docs/embed_c.md). Not
+   needed with an emitted header.
    SPDX-License-Identifier: BSD-3-Clause */
 #ifndef KANEC_ABI_H
 #define KANEC_ABI_H
@@ -10,7 +11,8 @@
 extern "C" {
 #endif
 
-#define KANEC_ABI_VERSION 4u
+/* Raised with every change of what stands below; abi_version and struct_size stay in front. */
+#define KANEC_ABI_VERSION 5u
 
 /* One evaluation. Every emitted function has this shape; arguments that it does not read may be null.
    The results of a combined function stand one after another in out.
@@ -19,11 +21,19 @@ extern "C" {
 typedef void (*kanec_evaluate)(const void* prepared, double t, const double* x, const double* y, const double* ydot,
                                const double* u, double* out);
 
+/* What a function reads, of which the rest may be null. */
+#define KANEC_READS_T 1u
+#define KANEC_READS_X 2u
+#define KANEC_READS_Y 4u
+#define KANEC_READS_YDOT 8u
+#define KANEC_READS_U 16u
+
 typedef struct kanec_function {
   const char* name; /* "accelerations" */
   int32_t n_out;
   /* operations of one evaluation, exact */
   int32_t adds, multiplies, divides, square_roots, trigonometric, other_functions;
+  uint32_t reads; /* KANEC_READS_... */
   kanec_evaluate evaluate;
 } kanec_function;
 
@@ -43,6 +53,7 @@ typedef struct kanec_taylor {
      1 <= order <= highest_order; work need not be initialised, and holds nothing between calls. */
   void (*coefficients)(const void* prepared, double t, const double* u, int32_t order, void* z, void* work);
 } kanec_taylor;
+
 /* Entries of a matrix that are not always 0, row by row; wherever a function of the model returns that matrix. */
 typedef struct kanec_pattern {
   const char* name; /* "accelerations_x" */
@@ -81,7 +92,8 @@ typedef const kanec_model* (*kanec_entry)(void);
    argument with n entries, entry i of state j is a[(j / stride * n + i) * stride + j % stride]. Two cases of this:
    stride >= number of states: entry i of state j at a[i * stride + j], one array an entry;
    stride = lanes: what is computed at once stands together; faster, and copied not at all where aligned to its size.
-   A stride below the number of states is a multiple of the lanes. */
+   stride = 1: entry i of state j at a[j * n + i], state after state; gathered, a little slower.
+   Any other stride below the number of states is a multiple of the lanes. */
 typedef struct kanec_states {
   int64_t begin, end; /* states to evaluate: begin <= j < end; begin a multiple of the lanes */
   int64_t stride;

@@ -89,10 +89,11 @@ std::optional<int> BatchSolver<Real>::find(std::string_view name) const {
 template <class Real>
 void BatchSolver<Real>::check(const BatchStates<Real>& states) const {
   const bool fits =
-      states.stride == 0 || states.stride >= states.count || (states.stride > 0 && states.stride % lanes() == 0);
+      states.stride == 0 || states.stride == 1 || states.stride >= states.count ||
+      (states.stride > 0 && states.stride % lanes() == 0);
   if (states.count < 0 || !fits)
     throw InputError("a batch of " + std::to_string(states.count) + " states with a stride of " +
-                     std::to_string(states.stride) + "; allowed: 0, a multiple of the " + std::to_string(lanes()) +
+                     std::to_string(states.stride) + "; allowed: 0, 1, a multiple of the " + std::to_string(lanes()) +
                      " lanes, or no less than the number of states");
   if (n_prepared_ > 0 && states.count > n_prepared_)
     throw InputError("a batch of " + std::to_string(states.count) + " states; allowed: at most the " +

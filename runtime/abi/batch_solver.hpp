@@ -17,8 +17,9 @@ namespace kanec {
 
 // Where the states of a batch stand. Of an argument with n entries, entry i of state j is
 // a[(j / stride * n + i) * stride + j % stride]: with stride = count, which 0 stands for, a[i * count + j]; with stride
-// = lanes() blocks that need no copying, where a is aligned to a block's row: the fastest. Other strides are multiples
-// of lanes(). A stride of a large power of two is slow: rows fall on each other in the cache.
+// = lanes() blocks that need no copying, where a is aligned to a block's row: the fastest; with stride = 1 state after
+// state, a[j * n + i], which are gathered. Other strides are multiples of lanes(). One of a large power of two is slow:
+// rows fall on each other in the cache.
 template <class Real>
 struct BatchStates {
   std::int64_t count = 0;

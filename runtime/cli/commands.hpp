@@ -18,6 +18,7 @@ void add_generate(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_eval(CLI::App& app, Action& action);
+void add_functions_command(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_ledger(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);

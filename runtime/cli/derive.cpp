@@ -1,17 +1,13 @@
 // kanec derive: the tables of the derivation.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/symbolic/derive.hpp"
-
 #include <optional>
 
-#include "generator/emit/grids.hpp"
-#include "generator/emit/tables.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/arguments.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/scene_argument.hpp"
-#include "runtime/model/model.hpp"
+#include "runtime/model/equations.hpp"
 #include "runtime/model/reductions.hpp"
 #include "runtime/terminal/output.hpp"
 #include "runtime/text/json.hpp"
@@ -39,46 +35,9 @@ struct Options {
   std::string output;
 };
 
-// A line by the heads of its columns.
-Json lines_json(const emit::Grid& grid) {
-  Json lines = Json::array();
-  for (const std::vector<std::string>& line : grid.lines) {
-    Json cells;
-    for (std::size_t i = 0; i < line.size(); ++i) cells[grid.columns[i].head] = line[i];
-    lines.push_back(std::move(cells));
-  }
-  return lines;
-}
-
-Json tables_json(const symbolic::Equations& equations) {
-  Json tables = Json::array();
-  for (const emit::Table& table : emit::tables(equations, symbolic::Style::text)) {
-    Json rows = Json::array();
-    for (const auto& [left, right] : table.rows) rows.push_back({{"left", left}, {"right", right}});
-    tables.push_back({{"title", table.title}, {"rows", std::move(rows)}});
-  }
-  const scene::Scene& scene = equations.scene;
-  return {{"model", scene.name},
-          {"connection", scene.lower},
-          {"depth", scene::depth(scene.lower)},
-          {"nx", n_coordinates(scene)},
-          {"ny", n_speeds(scene)},
-          {"tables", std::move(tables)},
-          {"bodies", lines_json(emit::body_grid(equations, symbolic::Style::text))},
-          {"loads", lines_json(emit::load_grid(equations, symbolic::Style::text))}};
-}
-
 std::string reduction_document(const scene::Scene& scene, const std::vector<std::string>& functions, bool json) {
   const std::vector<Reduction> list = reductions(scene, functions);
   return json ? json_text(reductions_json(scene.name, list)) : reductions_text(scene.name, list);
-}
-
-// The tables of the source: origins where the scene has them.
-constexpr symbolic::Reductions as_typed = {.place_origins = false, .regroup = false, .turn_axes = false};
-
-std::string document(const symbolic::Equations& equations, const std::string& format) {
-  if (format == "json") return json_text(tables_json(equations));
-  return format == "latex" ? emit::latex_document(equations) : emit::text_document(equations);
 }
 
 int derive(const Options& options) {
@@ -90,7 +49,7 @@ int derive(const Options& options) {
   std::optional<AtomicFile> file;
   if (!options.output.empty()) file.emplace(options.output);
   const std::string text = options.reduction ? reduction_document(scene, options.functions, format == "json")
-                                             : document(symbolic::derive(scene, {}, {as_typed}), format);
+                                             : equations_text(scene, format);
   if (file) {
     file->write(text);
     file->commit();

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 
 #include "generator/scene/states.hpp"
@@ -18,7 +21,10 @@
 #include "runtime/model/result_layout.hpp"
 #include "runtime/model/settings.hpp"
 #include "runtime/model/state_layout.hpp"
+#include "runtime/states/evaluate_many.hpp"
+#include "runtime/terminal/interrupt.hpp"
 #include "runtime/terminal/output.hpp"
+#include "runtime/terminal/progress.hpp"
 #include "runtime/text/json.hpp"
 #include "runtime/verify/paths.hpp"
 
@@ -39,13 +45,20 @@ input that is left out has the scene's value; --set goes before both. Euler para
 (1e-15) are normalised, with a note where it is more than 1e-6; the output shows the state that was used.
 
 Three paths to a result: emitted (the compiled code), precise (the same program in 50 digits, then rounded), generic
-(loops over the scene in long double, sharing no code with the generator, then rounded). Numbers read back exactly.)";
+(loops over the scene in long double, sharing no code with the generator, then rounded). Numbers read back exactly.
+
+Many states from a file, results into one of the same kind (or that of -o), a line or row each:
+  kanec simulate models/six_body --csv motion.csv && kanec eval models/six_body reactions --states motion.csv -o loads.csv
+CSV has a header line of names, in any order (t, coordinates, speeds, their rates, parameters, inputs; theta_2 or
+theta_<body>); JSON lines have an object as above a line; NumPy's .npy has x, then y and ydot where the function reads
+them, or these behind t, a row a state, float64 or float32.)";
 
 struct Options {
   SceneArgument scene;
   BuildOptions build;
   std::vector<std::string> settings;
   std::string function, input, path = "emitted";
+  std::string states, format, output = "-";
   bool show_template = false;
   bool json = false;
 };
@@ -66,6 +79,39 @@ std::vector<double> evaluate(const Options& options, const scene::Scene& scene, 
   }
   if (options.path == "precise") return rounded(precise(generate(scene, {{options.function}}).program, name, state));
   return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
+}
+
+std::function<const std::vector<double>&(const State&)> evaluation(const Options& options, const scene::Scene& scene,
+                                                                    const std::optional<CompiledModel>& model) {
+  if (model) return compiled_function(model->library.abi(), scene, emitted_name(options.function));
+  const auto values = std::make_shared<std::vector<double>>();
+  return [&options, &scene, values](const State& state) -> const std::vector<double>& {
+    return *values = evaluate(options, scene, state);
+  };
+}
+
+int evaluate_states(const Options& options, const scene::Scene& scene, const Needs& needs) {
+  if (!options.input.empty() || options.show_template || options.json)
+    throw InputError("--states: found it beside --input, --template or --json; allowed: --states FILE with --format and -o");
+  const scene::Scene set = with_settings(scene, options.settings);
+  const TableFormat format =
+      options.format.empty() ? table_format_of_file(options.states) : table_format_of(options.format);
+  const TableFormat out = is_standard_output(options.output) ? format : table_format_of_file(options.output);
+  const auto states = open_states(options.states, format, set, needs);
+  const auto results = open_results(options.output, out, result_layouts(scene, options.function), states->count());
+  std::optional<CompiledModel> model;
+  if (options.path == "emitted") model = build(scene, {options.function}, options.build);
+  const Interrupts interrupts;
+  ProgressBar bar(scene.name);
+  const ManyStates many = evaluate_many(set, *states, *results, evaluation(options, scene, model), [&](double share) {
+    interrupts.poll();
+    bar.show(share);
+  });
+  results->finish();
+  if (many.normalised > 0)
+    remark("note: Euler parameters of " + counted(static_cast<std::size_t>(many.normalised), "state", "states") +
+           " normalised, which were off unit norm by more than 1e-6");
+  return 0;
 }
 
 // The values of --set go before those of the file.
@@ -150,6 +196,9 @@ int eval(const Options& given) {
   const Functions functions(scene);
   functions.check(options.function);
   const Needs needs = functions.needs(options.function);
+  if (!options.states.empty()) return evaluate_states(options, scene, needs);
+  if (!options.format.empty() || !is_standard_output(options.output))
+    throw InputError("--format, --output: found without --states; allowed: with it");
   if (options.show_template) return print_template(options, scene, needs);
   State state = input_state(options, scene, needs);
   const std::vector<double> values = evaluate(options, scene, state);
@@ -166,11 +215,16 @@ int eval(const Options& given) {
 
 void add_eval(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "eval", "one function in one state, by name, to all digits: for anybody's verification",
+      add_command(app, action, "eval", "one function in one state or in many, by name, to all digits: for anybody's verification",
                   footer, &eval);
   add_scene(*command, options->scene);
   command->add_option("FUNCTION", options->function, "its name, as below")->option_text(" ");
   command->add_option("--input", options->input, "the state as JSON; - is standard input")->option_text("FILE");
+  command->add_option("--states", options->states, "many states instead, as below; - is standard input")->option_text("FILE");
+  command->add_option("--format", options->format, "of --states (by the file's ending)")
+      ->option_text("csv|jsonl|npy")
+      ->check(CLI::IsMember({"csv", "jsonl", "npy"}));
+  command->add_option("-o,--output", options->output, "of --states: the results' file, or - (-)")->option_text("FILE");
   command->add_flag("--template", options->show_template, "print such a file with the scene's initial state");
   command->add_option("--path", options->path, "how to compute it (emitted)")
       ->option_text("emitted|generic|precise")

@@ -1,15 +1,12 @@
-// kanec generate: the emitted header as a file.
+// kanec generate: the emitted header as a file, in C++ or in C.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <optional>
 
-#include "generator/choice/reach.hpp"
 #include "generator/pipeline.hpp"
-#include "kanec_abi_text.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/fit.hpp"
@@ -18,7 +15,8 @@
 #include "runtime/cli/scene_argument.hpp"
 #include "runtime/model/dump.hpp"
 #include "runtime/model/functions.hpp"
-#include "runtime/model/model.hpp"
+#include "runtime/model/products.hpp"
+#include "runtime/model/scene_files.hpp"
 #include "runtime/run/needed_functions.hpp"
 #include "runtime/terminal/output.hpp"
 
@@ -43,7 +41,8 @@ constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
   EOF
   g++ -O2 fall.cpp && ./a.out
 
-The header needs nothing but a C++17 compiler. With --abi the two files that `kanec simulate` compiles beside it are
+The header needs nothing but a C++17 compiler; with --language c, <name>.h, nothing but C99 and <math.h>, in double or with
+KANEC_REAL defined as float: docs/embed_c.md. With --abi the two files that `kanec simulate` compiles beside it are
 written as well; with --taylor <name>_taylor.hpp, which has the Taylor series of the motion: what --integrator taylor
 steps by. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
@@ -53,7 +52,9 @@ struct Options {
   std::optional<symbolic::Algorithm> algorithm;
   std::string output;
   std::string stage;
+  std::string depfile;
   emit::Optimize optimize = emit::Optimize::speed;
+  emit::Language language = emit::Language::cpp;
   bool abi = false;
   bool taylor = false;
   bool json = false;
@@ -71,6 +72,15 @@ struct Product {
     bytes = text.size();
   }
 };
+
+Products products_of(const Options& options) {
+  const Products products{options.language, options.abi, options.taylor};
+  check_products(products);
+  if (options.language == emit::Language::c && !options.stage.empty())
+    throw InputError("--language c: found it beside --dump " + options.stage +
+                     "; allowed: --language cpp, since stages before the header have no language; -o - prints it");
+  return products;
+}
 
 bool means_folder(const std::string& output) {
   std::error_code ignored;
@@ -98,33 +108,44 @@ class NewFolder {
   fs::path path_;
 };
 
-std::deque<Product> open_products(const Options& options, const std::string& name) {
+std::deque<Product> open_products(const Options& options, const Products& wanted, const std::string& name) {
   std::deque<Product> products;
   if (options.json && is_standard_output(options.output))
     throw InputError("--json: found it beside --output " + options.output +
                      "; allowed: one of them on standard output");
-  const bool folder = means_folder(options.output);
-  products.emplace_back(folder ? fs::path(options.output) / (name + ".hpp") : fs::path(options.output));
-  if (!options.abi && !options.taylor) return products;
-  if (!folder)
+  const std::vector<std::string> names = product_names(name, wanted);
+  if (means_folder(options.output)) {
+    for (const std::string& file : names) products.emplace_back(fs::path(options.output) / file);
+    return products;
+  }
+  if (names.size() > 1)
     throw InputError("--output: found the file '" + options.output + "'; allowed with " +
                      (options.abi ? "--abi" : "--taylor") + ": a folder, since the files include " + name +
                      ".hpp by that name");
-  if (options.abi)
-    for (const std::string& file : {name + "_abi.cpp", std::string("abi.h")})
-      products.emplace_back(fs::path(options.output) / file);
-  if (options.taylor) products.emplace_back(fs::path(options.output) / (name + "_taylor.hpp"));
+  products.emplace_back(options.output);
   return products;
 }
 
-void write(std::deque<Product>& products, const Options& options, const Generated& generated) {
-  std::vector<const std::string*> texts = {&generated.header};
-  const std::string abi_header = abi_text;
-  if (options.abi) texts.insert(texts.end(), {&generated.abi, &abi_header});
-  if (options.taylor) texts.push_back(&generated.taylor);
-  for (std::size_t i = 0; i < texts.size(); ++i) products[i].write(*texts[i]);
+// As make reads it.
+std::string escaped_for_make(const std::string& path) {
+  std::string text;
+  for (const char c : path) text += c == ' ' || c == '#' ? std::string("\\") + c : c == '$' ? "$$" : std::string(1, c);
+  return text;
+}
+
+// Which files the products are made of.
+std::string rule_of(const std::deque<Product>& products, const SceneArgument& scene) {
+  std::string text;
+  for (const Product& product : products) text += (text.empty() ? "" : " ") + escaped_for_make(product.path.string());
+  text += ":";
+  return (scene.path.empty() ? text : text + " " + escaped_for_make(scene_file(scene.path))) + "\n";
+}
+
+void write(std::deque<Product>& products, const std::vector<std::string>& texts, AtomicFile* rule) {
+  for (std::size_t i = 0; i < texts.size(); ++i) products[i].write(texts[i]);
   std::vector<AtomicFile*> files;
   for (Product& product : products) files.push_back(&product.file);
+  if (rule != nullptr) files.push_back(rule);
   commit_all(files);
 }
 
@@ -167,29 +188,28 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
 
 void remark_note(const std::string& note) { remark("note: " + note); }
 
-// With --taylor also all rates in one function, in front of those that are asked for or usual.
 std::vector<std::string> functions_of(const Options& options, const scene::Scene& scene) {
   std::vector<std::string> chosen = Functions(scene).chosen(options.functions);
-  if (!options.taylor) return chosen;
-  if (chosen.empty()) {
-    const Reach reach = within_reach(scene, requested_functions(scene, {}), !scene.functions.empty());
-    for (const std::string& note : reach.notes) remark_note(note);
-    chosen = reach.names;
-  }
-  const std::string rates = all_rates(scene);
-  if (std::find(chosen.begin(), chosen.end(), rates) == chosen.end()) chosen.insert(chosen.begin(), rates);
-  return chosen;
+  return options.taylor ? functions_with_rates(scene, std::move(chosen), remark_note) : chosen;
 }
 
 int generate_files(const Options& options) {
+  const Products wanted = products_of(options);
   const scene::Scene scene = load(options.scene);
   const std::vector<std::string> functions = functions_of(options, scene);
   if (!options.stage.empty()) return dump_stage(options, scene, functions);
   const NewFolder folder(options.output);
-  std::deque<Product> products = open_products(options, scene.name);
-  const Generated generated = generate(
-      scene, {functions, options.algorithm, options.optimize, emit::Model{}.longest_line, options.taylor, remark_note});
-  write(products, options, generated);
+  std::deque<Product> products = open_products(options, wanted, scene.name);
+  GenerateOptions how{functions,      options.algorithm, options.optimize, emit::Model{}.longest_line,
+                      options.taylor, remark_note};
+  how.language = options.language;
+  const Generated generated = generate(scene, how);
+  std::optional<AtomicFile> rule;
+  if (!options.depfile.empty()) {
+    rule.emplace(options.depfile);
+    rule->write(rule_of(products, options.scene));
+  }
+  write(products, product_texts(generated, wanted), rule ? &*rule : nullptr);
   if (options.json)
     print_json(report_json(scene, generated, products));
   else
@@ -197,21 +217,35 @@ int generate_files(const Options& options) {
   return 0;
 }
 
+void add_language(CLI::App& command, emit::Language& language) {
+  const auto set = [&language](const std::string& text) {
+    language = text == "c" ? emit::Language::c : emit::Language::cpp;
+  };
+  command
+      .add_option_function<std::string>("--language", set, "the header in C++17 (cpp, the default) or C99 (c)")
+      ->check(CLI::IsMember({"cpp", "c"}))
+      ->option_text("cpp|c");
+}
+
 }  // namespace
 
 void add_generate(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "generate", "the emitted C++ header of a scene, with its operations counted", footer,
+      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted", footer,
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
   add_algorithm(*command, options->algorithm);
   command
-      ->add_option("-o,--output", options->output, "folder of <name>.hpp (made where DIR/ is new), a file, or - (./)")
+      ->add_option("-o,--output", options->output,
+                   "folder of <name>.hpp or <name>.h (made where DIR/ is new), a file, or - (./)")
       ->option_text("DIR/|FILE|-");
   add_optimize(*command, options->optimize);
+  add_language(*command, options->language);
   command->add_flag("--abi", options->abi, "also <name>_abi.cpp and abi.h, for a shared library");
   command->add_flag("--taylor", options->taylor, "also <name>_taylor.hpp, the Taylor series of the motion");
+  command->add_option("--depfile", options->depfile, "a rule for make: which files the header is made of")
+      ->option_text("FILE");
   command->add_option("--dump", options->stage, "print a stage instead")
       ->option_text("STAGE")
       ->check(CLI::IsMember(stage_names()));

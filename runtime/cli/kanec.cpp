@@ -84,6 +84,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_simulate(app, action);
   add_check(app, action);
   add_eval(app, action);
+  add_functions_command(app, action);
   add_bench(app, action);
   add_ledger(app, action);
   add_report(app, action);
@@ -109,7 +110,7 @@ int parse_and_act(int argc, char** argv) {
     return refused;
   }
   if (action) return action();
-  remark("a command is needed: derive, generate, simulate, check, eval, bench, ledger or report; see kanec --help");
+  remark("a command is needed: derive, generate, simulate, check, eval, functions, bench, ledger or report; see kanec --help");
   return refused;
 }
 

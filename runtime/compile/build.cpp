@@ -2,8 +2,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -69,10 +71,34 @@ void check_names(const Source& source) {
     throw InternalError("source file to compile is not given: " + source.main);
 }
 
-Job plan(const Source& source, const Options& options) {
+// Whether the file behind a path is a program of the machine's own, which says the same as long as it is the same, and
+// no script, nor a link to a program that looks at what it was called by.
+bool is_plain_program(const fs::path& path) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  for (const char* wrapper : {"ccache", "distcc", "icecc", "sccache"})
+    if (failed || real.filename().string().find(wrapper) != std::string::npos) return false;
+  std::ifstream file(real, std::ios::binary);
+  std::array<char, 4> magic{};
+  return file.read(magic.data(), magic.size()) && std::string_view(magic.data(), magic.size()) == "\177ELF";
+}
+
+// What a compiler says of itself takes longer to hear than to fetch a model: it is asked once.
+std::string version_from(const std::optional<Cache>& cache, const Compiler& compiler) {
+  if (!cache || !compiler.arguments.empty() || !is_plain_program(compiler.path)) return version_of(compiler);
+  const std::string question = compiler.path.string() + " --version, " + file_behind(compiler.path);
+  if (const std::string known = cache->recall(question); !known.empty()) return known;
+  const std::string version = version_of(compiler);
+  cache->remember(question, version);
+  return version;
+}
+
+Job plan(const Source& source, const Options& options, const std::optional<Cache>& cache) {
   if (!is_identifier(source.name)) throw InternalError("model name is no identifier: " + source.name);
-  return {source, find_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar),
+  Job job{source, locate_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar),
           options.flags_given ? options.flags : default_flags(), {}, {}};
+  job.compiler.version = version_from(cache, job.compiler);
+  return job;
 }
 
 // Where what is compiled of these files is kept, or, before there are files, of this origin.
@@ -197,9 +223,9 @@ std::unique_ptr<Model::State> fetched_or_made(std::optional<Cache>& cache, const
 }  // namespace
 
 Model build(const Source& source, const Options& options) {
-  Job job = plan(source, options);
   std::vector<std::string> notes;
   std::optional<Cache> cache = open_cache(options, notes);
+  Job job = plan(source, options, cache);
   std::optional<Cache::Place> origin;
   if (source.make) {
     if (cache && !source.origin.empty()) {

@@ -13,6 +13,7 @@
 
 #include "runtime/base/error.hpp"
 #include "runtime/base/file_lock.hpp"
+#include "runtime/base/files.hpp"
 #include "runtime/base/hash.hpp"
 #include "runtime/compile/trusted_folder.hpp"
 
@@ -73,8 +74,8 @@ void Cache::clear() const {
   }
 }
 
-fs::path Cache::temporary() const {
-  fs::path path = folder_ / "tmp";
+fs::path Cache::subfolder(const char* name) const {
+  fs::path path = folder_ / name;
   create_private(path);
   if (fs::is_symlink(path)) throw FileError(path.string(), "a link, where a folder belongs; remove it");
   if (const auto why = exposure(path)) throw FileError(path.string(), "not used, because " + *why + "; remove it");
@@ -106,6 +107,26 @@ fs::path Cache::store(const fs::path& made, const Place& place) const {
     discard(place);
   }
   return entry / library_name;
+}
+
+std::string Cache::recall(const std::string& question) const {
+  try {
+    constexpr std::size_t longest = 1 << 16;
+    const fs::path path = folder_ / "answers" / fingerprint(question);
+    if (!fs::exists(path) || !fs::is_regular_file(fs::symlink_status(subfolder("answers") / path.filename()))) return "";
+    const std::string text = read_file(path, longest);
+    return text.rfind(question + "\n", 0) == 0 ? text.substr(question.size() + 1) : "";
+  } catch (const FileError&) {
+  } catch (const fs::filesystem_error&) {
+  }
+  return "";
+}
+
+void Cache::remember(const std::string& question, const std::string& answer) const {
+  try {
+    write_file(subfolder("answers") / fingerprint(question), question + "\n" + answer);
+  } catch (const FileError&) {
+  }
 }
 
 void Cache::discard(const Place& place) const {

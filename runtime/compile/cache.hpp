@@ -16,7 +16,8 @@ namespace kanec::compile {
 // Of the latter two variables only absolute paths count.
 std::filesystem::path default_cache();
 
-// Layout: <folder>/<entry>/{model.so, key, seal}, and <folder>/tmp/ for what is not finished. An entry is made
+// Layout: <folder>/<entry>/{model.so, key, seal}, <folder>/answers/ for short texts, and <folder>/tmp/ for what is not
+// finished. An entry is made
 // elsewhere and renamed into place, so it is there whole or not at all; what damage it takes later is found before it
 // is used. Whoever can write to a library runs code as us: folders and files must be our user's and writable by nobody
 // else, also where the folder is so now, for what it holds may be from a time when it was not.
@@ -46,12 +47,19 @@ class Cache {
   // another process was faster its equal is kept. Throws FileError, also where a foreign entry is in the way.
   std::filesystem::path store(const std::filesystem::path& made, const Place& place) const;
 
+  // A short text that is kept for what is told apart by `question`, all of it compared: "" where none is.
+  std::string recall(const std::string& question) const;
+  // Only a saving: where it cannot be kept nothing happens.
+  void remember(const std::string& question, const std::string& answer) const;
+
   // Removes an entry that turned out to be of no use. Throws FileError.
   void discard(const Place& place) const;
 
  private:
   void clear() const;
-  std::filesystem::path temporary() const;  // made where it is not there; throws FileError
+  // Made where they are not there; throw FileError.
+  std::filesystem::path subfolder(const char* name) const;
+  std::filesystem::path temporary() const { return subfolder("tmp"); }
 
   std::filesystem::path folder_;
 };

@@ -81,6 +81,8 @@ std::vector<std::string> command_of(const Compiler& compiler) {
   return command;
 }
 
+}  // namespace
+
 std::string version_of(const Compiler& compiler) {
   std::vector<std::string> command = command_of(compiler);
   command.push_back("--version");
@@ -90,16 +92,17 @@ std::string version_of(const Compiler& compiler) {
                    shown(command), result.output);
 }
 
-}  // namespace
-
 Compiler find_compiler(const std::string& wish, Code code) {
+  Compiler compiler = locate_compiler(wish, code);
+  compiler.version = version_of(compiler);
+  return compiler;
+}
+
+Compiler locate_compiler(const std::string& wish, Code code) {
   const Candidates all = candidates(wish, code);
   std::string tried;
   for (const Candidate& candidate : all.list) {
-    if (auto compiler = locate(candidate.text)) {
-      compiler->version = version_of(*compiler);
-      return *compiler;
-    }
+    if (const auto compiler = locate(candidate.text)) return *compiler;
     tried += (tried.empty() ? "" : ", ") + candidate.text + candidate.origin;
   }
   const std::string remedy = all.exclusive ? "" : "; install one (Debian: apt install g++) or name one in KANEC_CXX";

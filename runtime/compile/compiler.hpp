@@ -23,6 +23,10 @@ enum class Code { scalar, lanes };
 // shows what a broken one says.
 Compiler find_compiler(const std::string& wish, Code code = Code::scalar);
 
+// The same in two steps: found, its version not yet asked for; and asked, which starts it. Throw BuildError.
+Compiler locate_compiler(const std::string& wish, Code code = Code::scalar);
+std::string version_of(const Compiler& compiler);
+
 // $KANEC_CXXFLAGS split on blanks, or -O2 -march=native -fno-math-errno -fno-tree-slp-vectorize.
 std::vector<std::string> default_flags();
 

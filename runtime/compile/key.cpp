@@ -24,16 +24,6 @@ void add(std::string& key, const std::string& name, std::string_view value) {
   key.append(name).append(" ").append(std::to_string(value.size())).append("\n").append(value).append("\n");
 }
 
-// Path, size and time of the file that the compiler's path leads to.
-std::string file_behind(const fs::path& path) {
-  std::error_code failed;
-  const fs::path real = fs::canonical(path, failed);
-  struct stat status {};
-  if (failed || ::stat(real.c_str(), &status) != 0) return path.string();
-  return real.string() + " " + std::to_string(status.st_size) + " " + std::to_string(status.st_mtim.tv_sec) + "." +
-         std::to_string(status.st_mtim.tv_nsec);
-}
-
 // Of x86, ARM, POWER, RISC-V and s390.
 constexpr std::array<std::string_view, 17> lasting_lines = {
     "vendor_id", "cpu family",  "model",    "model name", "stepping", "flags", "CPU implementer", "CPU architecture",
@@ -54,6 +44,15 @@ std::string machine() {
 }
 
 }  // namespace
+
+std::string file_behind(const fs::path& path) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  struct stat status {};
+  if (failed || ::stat(real.c_str(), &status) != 0) return path.string();
+  return real.string() + " " + std::to_string(status.st_size) + " " + std::to_string(status.st_mtim.tv_sec) + "." +
+         std::to_string(status.st_mtim.tv_nsec);
+}
 
 std::string processor(std::string_view cpuinfo) {
   const std::string_view first = cpuinfo.substr(0, cpuinfo.find("\n\n"));

@@ -2,83 +2,58 @@
 #include "runtime/ensemble/scenarios.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/scene/read_ensemble.hpp"
 #include "runtime/base/error.hpp"
-#include "runtime/base/split.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/model/evaluate.hpp"
 #include "runtime/model/settings.hpp"
 #include "runtime/model/sound_parameters.hpp"
+#include "runtime/model/unit_norm.hpp"
+#include "runtime/text/csv.hpp"
 #include "runtime/verify/paths.hpp"
 
 namespace kanec {
 namespace {
 
-constexpr double rounding = 1e-15, worth_a_note = 1e-6;  // of | |eps| - 1 |
-
 [[noreturn]] void refuse(const std::string& place, const std::string& found, const std::string& allowed) {
   throw InputError(place + ": found " + found + "; allowed: " + allowed);
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> list = split(line, ',');
-  for (std::string_view& cell : list) cell = trimmed(cell);
-  return list;
-}
-
-// "theta_1" of "theta_1[rad]".
-std::string_view without_unit(std::string_view cell) {
-  const std::size_t bracket = cell.find('[');
-  return bracket != cell.npos && cell.back() == ']' ? trimmed(cell.substr(0, bracket)) : cell;
-}
-
 std::vector<std::string> header(std::string_view line, const std::string& place, const scene::Scene& scene) {
+  const scene::EntryNames entries(scene);
   const std::vector<std::string> known = scene::scenario_names(scene);
   std::vector<std::string> names;
-  for (const std::string_view cell : cells(line)) {
-    const std::string name(without_unit(cell));
+  for (const std::string_view cell : csv_cells(line)) {
+    const std::string given(without_unit(cell)), name = scene::scenario_name(entries, given);
     const std::string column = place + ": column " + std::to_string(names.size() + 1);
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      refuse(column, scene::in_quotes(name),
-             "a coordinate, speed, parameter or input of " + scene.name + ": " + scene::one_of(known, name));
+    if (name.empty())
+      refuse(column, scene::in_quotes(given),
+             "a coordinate, speed, parameter or input of " + scene.name + ": " + scene::one_of(known, given));
     if (std::find(names.begin(), names.end(), name) != names.end())
-      refuse(column, scene::in_quotes(name) + " twice", "each name once");
+      refuse(column, scene::in_quotes(given) + " twice", "each name once");
     names.push_back(name);
   }
   return names;
 }
 
 double number(std::string_view cell, const std::string& place, const std::string& name) {
-  double value = 0.0;
-  const std::string_view digits = cell.starts_with('+') ? cell.substr(1) : cell;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    refuse(place + ": " + name, cell.empty() ? "nothing" : scene::in_quotes(cell), "a finite number");
-  return value;
+  const std::optional<double> value = csv_number(cell);
+  if (!value) refuse(place + ": " + name, cell.empty() ? "nothing" : scene::in_quotes(cell), "a finite number");
+  return *value;
 }
 
 void append_row(ScenarioTable& table, std::string_view line, int number_of_line) {
   const std::string place = table.origin + ":" + std::to_string(number_of_line);
-  const std::vector<std::string_view> row = cells(line);
+  const std::vector<std::string_view> row = csv_cells(line);
   if (row.size() != table.names.size())
     refuse(place, std::to_string(row.size()) + " numbers",
            std::to_string(table.names.size()) + ", one a column of the header");
   for (std::size_t i = 0; i < row.size(); ++i) table.values.push_back(number(row[i], place, table.names[i]));
   table.lines.push_back(number_of_line);
 }
-
-bool counts(std::string_view line) { return !line.empty() && line.front() != '#'; }
 
 }  // namespace
 
@@ -94,7 +69,7 @@ ScenarioTable read_scenarios(std::string_view text, const std::string& file, con
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = trimmed(text.substr(begin, end - begin));
     begin = end + 1;
-    if (!counts(line)) continue;
+    if (!is_csv_row(line)) continue;
     if (table.names.empty())
       table.names = header(line, file + ":" + std::to_string(n + 1), scene);
     else
@@ -162,19 +137,11 @@ void Scenarios::check_parameters(std::size_t row) const {
 
 // Whether any attitude was far from unit norm.
 bool Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
-  bool was_off = false;
-  for (std::size_t k = 0; k < layout_.bodies.size(); ++k) {
-    if (layout_.bodies[k].eps < 0) continue;
-    double* eps = &x[static_cast<std::size_t>(layout_.bodies[k].eps)];
-    const double norm = std::hypot(std::hypot(eps[0], eps[1]), std::hypot(eps[2], eps[3]));
-    if (norm == 0.0)
-      refuse(table_.place(row) + ": eps_" + std::to_string(k + 1), "norm 0",
-             "Euler parameters, of which one is not zero");
-    if (std::fabs(norm - 1.0) <= rounding) continue;
-    was_off |= std::fabs(norm - 1.0) > worth_a_note;
-    for (int i = 0; i < 4; ++i) eps[i] /= norm;
-  }
-  return was_off;
+  const UnitNorm norm = to_unit_norm(layout_, x);
+  if (norm.zero > 0)
+    refuse(table_.place(row) + ": eps_" + std::to_string(norm.zero), "norm 0",
+           "Euler parameters, of which one is not zero");
+  return !norm.off.empty();
 }
 
 Scenario Scenarios::at(std::size_t row, const kanec_model& model) const {

@@ -23,16 +23,19 @@ struct Group {
            reinterpret_cast<std::uintptr_t>(argument) % alignof(Lane) == 0;
   }
 
+  // From one state's entry to the next one's, of n.
+  int step(int n) const noexcept { return stride == 1 ? n : 1; }
+
   // Lanes without a state take the last one's numbers: no exception is raised that no state would raise.
-  Lane load(const Scalar* from) const noexcept {
-    if (count == Lane::size) return Lane::load(from);
-    Lane lanes(static_cast<double>(from[count - 1]));
-    for (int l = 0; l < count; ++l) lanes.set(l, from[l]);
-    return lanes;
+  Lane load(const Scalar* from, int step = 1) const noexcept {
+    if (count == Lane::size && step == 1) return Lane::load(from);
+    Scalar gathered[Lane::size];
+    for (int l = 0; l < Lane::size; ++l) gathered[l] = from[(l < count ? l : count - 1) * step];
+    return Lane::load(gathered);
   }
-  void store(const Lane& lanes, Scalar* to) const noexcept {
-    if (count == Lane::size) return lanes.store(to);
-    for (int l = 0; l < count; ++l) to[l] = lanes[l];
+  void store(const Lane& lanes, Scalar* to, int step = 1) const noexcept {
+    if (count == Lane::size && step == 1) return lanes.store(to);
+    for (int l = 0; l < count; ++l) to[l * step] = lanes[l];
   }
 };
 
@@ -50,7 +53,7 @@ class Argument {
     if (!IsRead) return nullptr;
     if (one_for_all_) return copy_;
     if (group.is_direct(from_)) return reinterpret_cast<const Lane*>(from_ + group.place(N, 0));
-    for (int i = 0; i < N; ++i) copy_[i] = group.load(from_ + group.place(N, i));
+    for (int i = 0; i < N; ++i) copy_[i] = group.load(from_ + group.place(N, i), group.step(N));
     return copy_;
   }
 
@@ -72,7 +75,7 @@ class Results {
         at_(direct_ ? reinterpret_cast<Lane*>(out_ + group.place(N, 0)) : static_cast<Lane*>(scratch)) {}
   Lane* get() noexcept { return at_; }
   void finish() const noexcept {
-    for (int i = 0; i < N && !direct_; ++i) group_.store(at_[i], out_ + group_.place(N, i));
+    for (int i = 0; i < N && !direct_; ++i) group_.store(at_[i], out_ + group_.place(N, i), group_.step(N));
   }
 
  private:

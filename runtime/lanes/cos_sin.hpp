@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 // --------
 #if !defined(KANEC_COS_SIN)
@@ -31,9 +30,9 @@ template <class Vector, class Bits>
 [[gnu::always_inline]] inline void cos_sin_of(const Vector& a, Vector& c, Vector& s) noexcept {
   const Vector shifted = a * 0.6366197723675814 + 6755399441055744.0;  // 1.5 2^52: the last bits are those of n
   const Vector n = shifted - 6755399441055744.0;
-  const Vector near = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
-  const Vector r = near - n * 7.443547480484391e-13;
-  const Vector e = (near - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
+  const Vector reduced = a - n * 1.5707963267941523;  // 41 bits of pi/2, and 41 more: these products are exact
+  const Vector r = reduced - n * 7.443547480484391e-13;
+  const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
       r + (e + r * z *
@@ -52,14 +51,14 @@ template <class Vector, class Bits>
                              z * (-2.7557315779745287e-07 +
                                   z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
-  std::memcpy(&quadrant, &shifted, sizeof quadrant);
-  std::memcpy(&bits_c, &cosine, sizeof bits_c);
-  std::memcpy(&bits_s, &sine, sizeof bits_s);
+  __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
+  __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
+  __builtin_memcpy(&bits_s, &sine, sizeof bits_s);
   const Bits exchange = (bits_c ^ bits_s) & (0 - (quadrant & 1));
   bits_c ^= exchange ^ ((quadrant + 1) & 2) << 62;
   bits_s ^= exchange ^ (quadrant & 2) << 62;
-  std::memcpy(&c, &bits_c, sizeof c);
-  std::memcpy(&s, &bits_s, sizeof s);
+  __builtin_memcpy(&c, &bits_c, sizeof c);
+  __builtin_memcpy(&s, &bits_s, sizeof s);
 }
 
 // The same in doubles; angles that are large or no numbers by the library.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 
 #include "cos_sin.hpp"
 #include "lanes.hpp"

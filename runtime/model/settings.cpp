@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "generator/scene/component.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
@@ -20,20 +22,43 @@ namespace {
 std::string listed(const std::vector<std::string>& known, const std::string& name) {
   if (known.size() <= 20) return scene::one_of(known, name);
   const std::string near = nearest(name, known);
-  return "one of the scene's " + std::to_string(known.size()) + " parameters and inputs" +
+  return "one of the scene's " + std::to_string(known.size()) + " parameters, inputs, coordinates and speeds" +
          (near.empty() ? "" : " (did you mean " + near + "?)");
 }
 
-scene::Named& find(scene::Scene& scene, const std::string& name) {
-  std::vector<std::string> known;
-  for (auto* list : {&scene.parameters, &scene.inputs})
-    for (scene::Named& named : *list) {
-      if (named.name == name) return named;
-      known.push_back(named.name);
-    }
-  if (known.empty())
-    refuse_setting(scene::in_quotes(name), "nothing: scene " + scene.name + " has no parameters and no inputs");
-  refuse_setting(scene::in_quotes(name), listed(known, name));
+// Where the initial value of an entry of x or y stands; nothing of an Euler parameter.
+double* initial_value(scene::Scene& scene, const scene::Entry& entry) {
+  const scene::Layout layout(scene);
+  const bool is_speed = entry.among == scene::Entry::Among::y;
+  for (const scene::Component& component : is_speed ? scene::speed_components(scene) : scene::components(scene)) {
+    if ((is_speed ? index_in_y(layout, component) : index_in_x(layout, component)) != entry.index) continue;
+    scene::Body& body = scene.bodies[static_cast<std::size_t>(component.body - 1)];
+    const auto i = static_cast<std::size_t>(component.index);
+    if (component.kind == scene::Component::Kind::attitude) return is_speed ? &body.initial.omega[i] : nullptr;
+    auto& list = component.kind == scene::Component::Kind::turn ? body.joint.turns : body.joint.slides;
+    return is_speed ? &list[i].rate : &list[i].value;
+  }
+  return nullptr;
+}
+
+double& find(scene::Scene& scene, const std::string& name) {
+  using enum scene::Entry::Among;
+  const scene::EntryNames names(scene);
+  const std::optional<scene::Entry> entry = names.find(name);
+  if (!entry || entry->among == ydot) {
+    const bool has_values = !scene.parameters.empty() || !scene.inputs.empty();
+    const std::vector<std::string> values = names.known({parameters, inputs}), all = names.known({parameters, inputs, x, y});
+    if (nearest(name, values).empty() && !nearest(name, all).empty()) refuse_setting(scene::in_quotes(name), listed(all, name));
+    if (!has_values)
+      refuse_setting(scene::in_quotes(name), "coordinates and speeds: scene " + scene.name + " has no parameters and no inputs");
+    refuse_setting(scene::in_quotes(name), listed(values, name));
+  }
+  if (entry->among == parameters) return scene.parameters[static_cast<std::size_t>(entry->index)].value;
+  if (entry->among == inputs) return scene.inputs[static_cast<std::size_t>(entry->index)].value;
+  double* const value = initial_value(scene, *entry);
+  if (value == nullptr)
+    refuse_setting(scene::in_quotes(name) + ", an Euler parameter alone", "what is no part of an attitude: [body.initial] has all four");
+  return *value;
 }
 
 }  // namespace
@@ -53,10 +78,10 @@ scene::Scene with_settings(scene::Scene scene, const std::vector<std::string>& s
     const std::size_t sign = setting.find('=');
     if (sign == std::string::npos) refuse_setting(scene::in_quotes(setting), "NAME=VALUE");
     const std::string name = setting.substr(0, sign), text = setting.substr(sign + 1);
-    scene::Named& named = find(scene, name);
+    double& named = find(scene, name);
     const std::optional<double> value = finite_number(text);
     if (!value) refuse_setting(name + " = " + scene::in_quotes(text), "a finite number");
-    named.value = *value;
+    named = *value;
   }
   if (!settings.empty()) check_defaults(scene, "--set");
   return scene;

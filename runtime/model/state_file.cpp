@@ -5,20 +5,18 @@
 #include <cmath>
 #include <set>
 
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/scene/states.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/model/state_layout.hpp"
+#include "runtime/model/unit_norm.hpp"
 
 namespace kanec {
 namespace {
 
 using nlohmann::json;
-
-// Norms nearer to 1 than this differ from it by rounding alone.
-constexpr double rounding = 1e-15;
-constexpr double worth_a_note = 1e-6;
 
 std::string shown(const json& value) {
   if (value.is_string()) return scene::in_quotes(value.get<std::string>());
@@ -101,7 +99,17 @@ json parse(std::string_view text, const std::string& file) {
   }
 }
 
-std::vector<double> read_part(const Field& root, const Layout& layout, bool needed) {
+// What the blocks are called by their bodies; empty where that is the same, or the name of two.
+std::vector<std::string> names_by_body(const scene::Scene& scene, const Layout& layout) {
+  std::vector<std::string> names;
+  for (const Block& block : layout.blocks) names.push_back(scene::name_by_body(scene, block.name));
+  const std::vector<std::string> all = names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == layout.blocks[i].name || std::count(all.begin(), all.end(), all[i]) > 1) names[i].clear();
+  return names;
+}
+
+std::vector<double> read_part(const Field& root, const scene::Scene& scene, const Layout& layout, bool needed) {
   std::vector<double> numbers;
   const std::string summary = summary_of(layout);
   if (!root.has(layout.name)) {
@@ -109,12 +117,19 @@ std::vector<double> read_part(const Field& root, const Layout& layout, bool need
     return numbers;
   }
   const Field part = root.at(layout.name);
+  const std::vector<std::string> by_body = names_by_body(scene, layout);
   std::vector<std::string> known;
   for (const Block& block : layout.blocks) known.push_back(block.name);
+  for (const std::string& name : by_body)
+    if (!name.empty()) known.push_back(name);
   part.only(known, summary);
-  for (const Block& block : layout.blocks) {
-    if (!part.has(block.name)) part.refuse("no field \"" + block.name + "\"", summary);
-    part.at(block.name).append_numbers(block, numbers);
+  for (std::size_t i = 0; i < by_body.size(); ++i) {
+    const Block& block = layout.blocks[i];
+    const bool has_number = part.has(block.name), has_body = !by_body[i].empty() && part.has(by_body[i]);
+    if (has_number && has_body)
+      part.refuse("\"" + block.name + "\" and \"" + by_body[i] + "\", which are one", "one of them");
+    if (!has_number && !has_body) part.refuse("no field \"" + block.name + "\"", summary);
+    part.at(has_number ? block.name : by_body[i]).append_numbers(block, numbers);
   }
   return numbers;
 }
@@ -136,18 +151,12 @@ std::vector<double> read_named(const Field& root, const std::string& name, const
 
 std::vector<std::string> normalise(const scene::Scene& scene, const std::string& file, std::vector<double>& x) {
   std::vector<std::string> notes;
-  const scene::Layout layout(scene);
-  for (int k = 0; k < size(scene); ++k) {
-    const int at = layout.bodies[static_cast<std::size_t>(k)].eps;
-    if (at < 0) continue;
-    double* eps = &x[static_cast<std::size_t>(at)];
-    const double norm = std::hypot(std::hypot(eps[0], eps[1]), std::hypot(eps[2], eps[3]));
-    const std::string field = file + ": x.eps_" + std::to_string(k + 1) + ": ";
-    if (norm == 0.0) throw InputError(field + "found norm 0; allowed: Euler parameters, of which one is not zero");
-    if (std::fabs(norm - 1.0) <= rounding) continue;
-    for (int i = 0; i < 4; ++i) eps[i] /= norm;
-    if (std::fabs(norm - 1.0) > worth_a_note) notes.push_back(field + "normalised; its norm was " + shortest(norm));
-  }
+  const auto field = [&](int body) { return file + ": x.eps_" + std::to_string(body) + ": "; };
+  const UnitNorm norm = to_unit_norm(scene::Layout(scene), x);
+  if (norm.zero > 0)
+    throw InputError(field(norm.zero) + "found norm 0; allowed: Euler parameters, of which one is not zero");
+  for (const UnitNorm::Off& off : norm.off)
+    notes.push_back(field(off.body) + "normalised; its norm was " + shortest(off.norm));
   return notes;
 }
 
@@ -175,9 +184,9 @@ ReadState read_state(std::string_view text, const std::string& file, const scene
   ReadState result;
   State& state = result.state;
   if (root.has("t")) state.t = root.at("t").number();
-  state.x = read_part(root, coordinates_layout(scene), true);
-  state.y = read_part(root, speeds_layout(scene), needs.y);
-  state.ydot = read_part(root, speed_rates_layout(scene), needs.ydot);
+  state.x = read_part(root, scene, coordinates_layout(scene), true);
+  state.y = read_part(root, scene, speeds_layout(scene), needs.y);
+  state.ydot = read_part(root, scene, speed_rates_layout(scene), needs.ydot);
   state.parameters = read_named(root, "parameters", scene.parameters);
   state.inputs = read_named(root, "inputs", scene.inputs);
   result.notes = normalise(scene, file, state.x);

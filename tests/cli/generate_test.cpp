@@ -74,6 +74,18 @@ int main() {
   refuses({"generate", model("t_handle"), "-o", "a.hpp", "--taylor"}, "allowed with --taylor: a folder", {"new"});
 }
 
+TEST_F(Generate, language_c_gives_a_header_of_its_own_and_refuses_what_c_has_not) {
+  const std::string scene = model("cart_pole");
+  EXPECT_EQ(kanec({"generate", scene, "--language", "c"}).status, 0);
+  EXPECT_EQ(names(work()), Names{"cart_pole.h"});
+  EXPECT_EQ(kanec({"generate", scene, "--language", "c", "-o", "-"}).out, read_file(work() / "cart_pole.h"));
+  const Names there = {"cart_pole.h"};
+  refuses({"generate", scene, "--language", "c", "--abi", "-o", "new/"}, "language c: found it beside abi", there);
+  refuses({"generate", scene, "--language", "c", "--taylor", "-o", "new/"}, "language c: found it beside taylor", there);
+  refuses({"generate", scene, "--language", "c", "--dump", "program"}, "--language c: found it beside --dump program", there);
+  refuses({"generate", scene, "--language", "ada"}, "--language", there);
+}
+
 TEST_F(Generate, code_is_made_for_what_is_asked) {
   const std::string scene = model("bench_cr32");
   EXPECT_EQ(kanec({"generate", scene, "--functions", "residual", "--optimize", "size", "-o", "size.hpp"}).status, 0);

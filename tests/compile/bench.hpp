@@ -48,7 +48,7 @@ void accelerations(const void* prepared, double, const double* x, const double*,
 }
 const char* const parameter_names[] = {"k"};
 const double parameter_defaults[] = {4.0};
-const kanec_function functions[] = {{"accelerations", 1, 0, 1, 0, 0, 0, 0, accelerations}};
+const kanec_function functions[] = {{"accelerations", 1, 0, 1, 0, 0, 0, 0, KANEC_READS_X, accelerations}};
 const char* const coordinate_names[] = {"s_1"};
 const char* const speed_names[] = {"sdot_1"};
 const kanec_model model = {KANEC_ABI_VERSION, sizeof(kanec_model), "toy", "0123456789abcdef", 1, 1, 1, 1, 0, 1,

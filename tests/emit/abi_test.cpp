@@ -67,6 +67,31 @@ class Abi : public testing::TestWithParam<const char*> {
   }
 };
 
+// What programs were compiled with. Oracle: the layout of version 5, written down; another one is another version.
+TEST(AbiLayout, is_that_of_its_version) {
+  static_assert(KANEC_ABI_VERSION == 5u);
+  if (sizeof(void*) != 8) GTEST_SKIP() << "written down for pointers of eight bytes";
+  EXPECT_EQ(sizeof(kanec_function), 48u);
+  EXPECT_EQ(offsetof(kanec_function, n_out), 8u);
+  EXPECT_EQ(offsetof(kanec_function, other_functions), 32u);
+  EXPECT_EQ(offsetof(kanec_function, reads), 36u);
+  EXPECT_EQ(offsetof(kanec_function, evaluate), 40u);
+  EXPECT_EQ(sizeof(kanec_attitude), 8u);
+  EXPECT_EQ(sizeof(kanec_pattern), 40u);
+  EXPECT_EQ(sizeof(kanec_taylor), 56u);
+  EXPECT_EQ(offsetof(kanec_model, struct_size), 4u);
+  EXPECT_EQ(offsetof(kanec_model, n_bodies), 24u);
+  EXPECT_EQ(offsetof(kanec_model, parameter_names), 48u);
+  EXPECT_EQ(offsetof(kanec_model, prepared_size), 80u);
+  EXPECT_EQ(offsetof(kanec_model, functions), 96u);
+  EXPECT_EQ(offsetof(kanec_model, attitudes), 128u);
+  EXPECT_EQ(offsetof(kanec_model, patterns), 160u);
+  EXPECT_EQ(sizeof(kanec_model), 168u);
+  EXPECT_EQ(sizeof(kanec_states), 96u);
+  EXPECT_EQ(sizeof(kanec_group), 64u);
+  EXPECT_EQ(sizeof(kanec_batch), 72u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Abi, testing::Values("free_body", "six_body"));
 
 TEST_P(Abi, describes_the_model_and_evaluates_its_program) {

@@ -85,5 +85,56 @@ TEST(CodeReadAgain, reads_no_comment_and_no_text) {
   EXPECT_EQ(found(function("  // a = b\n  /* c = d */\n  const char* const a = \"e = f\";\n")), "");
 }
 
+std::string found_in_c(const std::string& code) {
+  try {
+    check_code(code, {"kanec_real", "kanec_sin"});
+  } catch (const InternalError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const std::string c_types =
+    "enum { m_nx = 2, m_ny = 2 };\nstatic const int m_rows[] = {0, 1};\n"
+    "typedef struct m_Prepared {\n  kanec_real a, b;\n} m_Prepared;\n"
+    "static inline m_Prepared m_defaults(void) {\n  m_Prepared list;\n  list.a = (kanec_real)1;\n  return list;\n}\n";
+
+std::string c_function(const std::string& body) {
+  return c_types + "static inline void m_f(const m_Prepared* c, const kanec_real* x, kanec_real* out) {\n  (void)c;\n" + body + "}\n";
+}
+
+TEST(CReadAgain, passes_where_every_name_is_declared_once_and_before_its_use) {
+  EXPECT_EQ(found_in_c(c_function("  const kanec_real a = c->a * kanec_sin(x[0]) - (kanec_real)1e-05, b = -a;\n"
+                                  "  static const unsigned char places[][2] = {\n    {0,1}, {1,0},\n  };\n"
+                                  "  for (int i = 0; i < m_nx; ++i) out[places[i][0]] = b + x[m_rows[i]];\n")),
+            "");
+}
+
+TEST(CReadAgain, tells_second_definitions_and_uses_before_the_definition) {
+  using testing::HasSubstr;
+  EXPECT_THAT(found_in_c(c_function("  const kanec_real a = x[0];\n  const kanec_real a = x[1];\n")),
+              HasSubstr("a second definition of a (in m_f)"));
+  EXPECT_THAT(found_in_c(c_function("  out[0] = (kanec_real)2 * a;\n")), HasSubstr("use before the definition of a (in m_f)"));
+  EXPECT_THAT(found_in_c(c_function("  out[m_nz] = x[0];\n")), HasSubstr("use before the definition of m_nz"));
+  EXPECT_THAT(found_in_c(c_function("  (void)d;\n")), HasSubstr("use before the definition of d"));
+  EXPECT_THAT(found_in_c(c_function("") + "enum { m_nx = 3 };\n"), HasSubstr("a second definition of m_nx"));
+  EXPECT_THAT(found_in_c(c_types + "static inline void m_f(kanec_real* out) {\n  *out = 1;"), HasSubstr("a brace is open"));
+}
+
+TEST(CReadAgain, follows_results_from_piece_to_piece) {
+  const auto pieces = [](const std::string& first, const std::string& second) {
+    return "typedef struct m_f_pieces_Shared {\n  kanec_real a;\n} m_f_pieces_Shared;\n"
+           "KANEC_APART void m_f_pieces_piece_1(const kanec_real* x, m_f_pieces_Shared* shared) {\n" +
+           first + "}\nKANEC_APART void m_f_pieces_piece_2(kanec_real* out, m_f_pieces_Shared* shared) {\n" + second +
+           "}\nstatic inline void m_f(const kanec_real* x, kanec_real* out) {\n  m_f_pieces_Shared shared;\n"
+           "  m_f_pieces_piece_1(x, &shared);\n  m_f_pieces_piece_2(out, &shared);\n}\n";
+  };
+  const std::string makes = "  const kanec_real a = x[0];\n  shared->a = a;\n";
+  const std::string takes = "  const kanec_real a = shared->a;\n  out[0] = a;\n";
+  EXPECT_EQ(found_in_c(pieces(makes, takes)), "");
+  EXPECT_THAT(found_in_c(pieces("", takes)), testing::HasSubstr("read before it is set: shared.a"));
+  EXPECT_THAT(found_in_c(pieces(makes + "  shared->a = a;\n", takes)), testing::HasSubstr("set twice: shared.a"));
+}
+
 }  // namespace
 }  // namespace kanec::emit

@@ -82,11 +82,13 @@ Sample every_node_sample() {
 
 namespace {
 
-Generated emitted(program::Program program, const scene::Scene& scene) {
+Generated emitted(program::Program program, const scene::Scene& scene, emit::Language language = emit::Language::cpp) {
   program = program::optimized(program);
   program.names = {
       {"a", "unread", "b"}, coordinate_names(scene), speed_names(scene), speed_rate_names(scene), {"idle", "drive"}};
-  const emit::Model model{&scene, "0", "0123456789abcdef", "all functions", "models/every_node.toml"};
+  emit::Model model{&scene, "0", "0123456789abcdef", "all functions", "models/every_node.toml"};
+  model.language = language;
+  if (language == emit::Language::c) return {program, scene.name, model.hash, emit::emit_header(model, program), "", "", ""};
   return {program,
           scene.name,
           model.hash,
@@ -98,7 +100,9 @@ Generated emitted(program::Program program, const scene::Scene& scene) {
 
 }  // namespace
 
-Generated every_node_model(const scene::Scene& scene, int repetitions) { return emitted(source(repetitions), scene); }
+Generated every_node_model(const scene::Scene& scene, int repetitions, emit::Language language) {
+  return emitted(source(repetitions), scene, language);
+}
 
 Generated every_node_motion(const scene::Scene& scene) {
   program::Program program = source(1);

@@ -13,7 +13,8 @@ namespace kanec::test {
 // `every_x` by x, `still` (no time, no inputs), and `every_and_still`.
 Sample every_node_sample();
 // With `every` repeated with other arguments, `every_and_still` alone: 180 times makes it long enough to be cut into pieces.
-Generated every_node_model(const scene::Scene& scene, int repetitions = 1);
+// In C the header alone.
+Generated every_node_model(const scene::Scene& scene, int repetitions = 1, emit::Language language = emit::Language::cpp);
 
 // With all rates of a state at once, each a sum of several kinds of node, and the Taylor series of this motion.
 Generated every_node_motion(const scene::Scene& scene);

@@ -87,7 +87,7 @@ TEST(Header, every_function_is_noexcept) {
     const std::regex regex(pattern);
     return std::distance(std::sregex_iterator(header.begin(), header.end(), regex), std::sregex_iterator());
   };
-  EXPECT_EQ(count("\ntemplate <class T>\n(void|Prepared<T>) "), 12);
+  EXPECT_EQ(count("\ntemplate <class T>\n(void|constexpr Prepared<T>) "), 12);
   EXPECT_EQ(count("\\)\\s+noexcept \\{\n"), 12);
 }
 

@@ -30,7 +30,7 @@ TEST_F(BatchLayout, results_are_the_same_to_the_bit_in_every_layout_and_with_eve
   const SampleBatch<double> first(list, solver.model(), 0);
   std::vector<double> wanted(first.size(2));
   solver.evaluate(accelerations, first.states(), wanted.data());
-  for (const std::int64_t stride : {4, 8, 1500}) {
+  for (const std::int64_t stride : {1, 4, 8, 1500}) {
     for (const int threads : {1, 2, 5}) {
       BatchSolver<double> other(lanes.batch(), threads);
       const SampleBatch<double> data(list, solver.model(), stride);
