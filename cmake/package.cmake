@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What is installed, and the Debian package. Two components: runtime (BSD: compiled models loaded and integrated) and the
 # rest, which links GiNaC.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(KANEC_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/kanec)

@@ -6,6 +6,7 @@
 #include "generator/choice/candidates.hpp"
 #include "generator/choice/requests.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec {
@@ -170,7 +171,7 @@ class Reducing {
     };
     for (const auto& [name, text] :
          {std::pair{"parameters not read", unread(0, *lists[0])}, std::pair{"inputs not read", unread(4, *lists[4])},
-          std::pair{"coordinates not read", unread(1, coordinate_names(scene_))}})
+          std::pair{"coordinates not read", unread(1, in_words(scene_, coordinate_names(scene_)))}})
       if (!text.empty()) result_.push_back({name, text, 0});
   }
 

@@ -7,6 +7,7 @@
 
 #include "generator/choice/requests.hpp"
 #include "generator/program/evaluate.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 
@@ -71,7 +72,7 @@ void check_regular(const scene::Scene& scene) {
   throw InputError(
       "scene " + scene.name + ": body " + std::to_string(k) + " (" +
       scene.bodies[static_cast<std::size_t>(k - 1)].name + "): the acceleration of " +
-      speed_names(scene)[static_cast<std::size_t>(row)] +
+      in_words(scene, speed_names(scene))[static_cast<std::size_t>(row)] +
       " is undetermined in the initial state (A is singular): no mass resists it, or other coordinates make the same "
       "motion; allowed: mass or inertia that it moves, axes that are not aligned, or the coordinate locked");
 }

@@ -5,6 +5,7 @@
 #include "generator/emit/sparsity.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/spelling.hpp"
 
 namespace kanec::emit {
@@ -79,7 +80,8 @@ std::string described(const Model& model, const program::Program& program, const
     text += record(program.functions[i], costs[i], reads(program, program.functions[i]),
                    callable ? program.functions[i].name : "nullptr");
   return text + "};\n\n" + named_lists("parameter", read.parameters) + named_lists("input", read.inputs) +
-         name_list("coordinate", coordinate_names(*model.scene)) + name_list("speed", speed_names(*model.scene)) +
+         name_list("coordinate", in_words(*model.scene, coordinate_names(*model.scene))) +
+         name_list("speed", in_words(*model.scene, speed_names(*model.scene))) +
          attitude_list(*model.scene) + patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
 }
 

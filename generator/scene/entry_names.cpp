@@ -2,6 +2,9 @@
 #include "generator/scene/entry_names.hpp"
 
 #include <algorithm>
+#include <set>
+
+#include "generator/scene/component.hpp"
 
 namespace kanec::scene {
 namespace {
@@ -12,13 +15,61 @@ std::vector<std::string> names_of(const std::vector<Named>& list) {
   return names;
 }
 
+// "theta_", 3 and "_2" of "theta_3_2".
+struct Numbered {
+  explicit Numbered(const std::string& name) {
+    const std::size_t first = name.find('_') + 1;
+    const std::size_t end = std::min(name.find('_', first), name.size());
+    letter = name.substr(0, first);
+    body = std::stoul(name.substr(first, end - first));
+    component = name.substr(end);
+  }
+  std::string with(const std::string& word) const { return letter + word + component; }
+
+  std::string letter, component;
+  std::size_t body;
+};
+
+// Not such that every body has it anyway.
+bool is_own(const std::string& name, int k) {
+  return name != "body_" + std::to_string(k) && name != "body" + std::to_string(k);
+}
+
 }  // namespace
 
 std::string name_by_body(const Scene& scene, const std::string& name) {
-  const std::size_t first = name.find('_') + 1;
-  const std::size_t end = std::min(name.find('_', first), name.size());
-  const std::size_t k = std::stoul(name.substr(first, end - first));
-  return name.substr(0, first) + scene.bodies[k - 1].name + name.substr(end);
+  const Numbered parts(name);
+  return parts.with(scene.bodies[parts.body - 1].name);
+}
+
+std::vector<std::string> body_words(const Scene& scene) {
+  std::map<std::string, std::set<int>> bodies;  // that have a coordinate of that name, whether in the state or not
+  for (const Component& component : components(scene)) {
+    bodies[coordinate_name(component)].insert(component.body);
+    bodies[coordinate_name_by_body(scene, component)].insert(component.body);
+  }
+  for (const auto* list : {&scene.parameters, &scene.inputs})
+    for (const Named& named : *list) bodies[named.name].insert(0);
+  std::vector<std::string> words;
+  for (int k = 1; k <= size(scene); ++k) {
+    const std::string& name = scene.bodies[static_cast<std::size_t>(k - 1)].name;
+    words.push_back(is_own(name, k) ? name : std::to_string(k));
+  }
+  for (const Component& component : components(scene))
+    if (bodies[coordinate_name_by_body(scene, component)].size() > 1)
+      words[static_cast<std::size_t>(component.body - 1)] = std::to_string(component.body);
+  return words;
+}
+
+std::string in_words(const std::string& name, const std::vector<std::string>& words) {
+  const Numbered parts(name);
+  return parts.with(words[parts.body - 1]);
+}
+
+std::vector<std::string> in_words(const Scene& scene, std::vector<std::string> names) {
+  const std::vector<std::string> words = body_words(scene);
+  for (std::string& name : names) name = in_words(name, words);
+  return names;
 }
 
 EntryNames::EntryNames(const Scene& scene) {
@@ -28,6 +79,7 @@ EntryNames::EntryNames(const Scene& scene) {
   for (const Entry::Among among : {x, y, ydot, parameters, inputs}) {
     const auto at = static_cast<std::size_t>(among);
     numbered_[at] = lists[at];
+    printed_[at] = among == parameters || among == inputs ? lists[at] : in_words(scene, lists[at]);
     for (int i = 0; i < static_cast<int>(lists[at].size()); ++i) entries_[lists[at][static_cast<std::size_t>(i)]] = Entry{among, i};
   }
   for (const Entry::Among among : {x, y, ydot}) {

@@ -40,8 +40,8 @@ int integer(const Table& table, const std::string& key, int least, int largest, 
 }  // namespace
 
 std::vector<std::string> scenario_names(const Scene& scene) {
-  std::vector<std::string> names = coordinate_names(scene);
-  for (const std::string& name : speed_names(scene)) names.push_back(name);
+  std::vector<std::string> names = in_words(scene, coordinate_names(scene));
+  for (const std::string& name : in_words(scene, speed_names(scene))) names.push_back(name);
   for (const Named& named : scene.parameters) names.push_back(named.name);
   for (const Named& named : scene.inputs) names.push_back(named.name);
   return names;
@@ -50,7 +50,7 @@ std::vector<std::string> scenario_names(const Scene& scene) {
 std::string scenario_name(const EntryNames& entries, const std::string& given) {
   const std::optional<Entry> entry = entries.find(given);
   if (!entry || entry->among == Entry::Among::ydot) return "";
-  return entries.numbered(entry->among)[static_cast<std::size_t>(entry->index)];
+  return entries.printed(entry->among)[static_cast<std::size_t>(entry->index)];
 }
 
 Ensemble read_ensemble(const Table& root, const Scene& scene) {

@@ -24,7 +24,7 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer =
+constexpr auto bench_footer =
     R"(Example: functions of S6F, emitted beside generic; then the accelerations of many, as a picture
   kanec bench models/bench_s6f --functions accelerations,residual
   taskset -c 1 kanec bench models/bench_* --svg bench.svg
@@ -38,7 +38,7 @@ float_lanes as many roundings) is not timed. Ratios are to emitted code. Operati
 
 Variants:)";
 
-struct Options {
+struct BenchOptions {
   std::vector<std::string> scenes;
   std::string connection;
   BuildOptions build;
@@ -53,7 +53,7 @@ struct Options {
 };
 
 // Of one scene those that it asks for, or the usual ones; of several, the accelerations.
-std::vector<std::string> functions(const Options& options, const std::vector<scene::Scene>& scenes) {
+std::vector<std::string> functions(const BenchOptions& options, const std::vector<scene::Scene>& scenes) {
   if (options.functions.empty() && scenes.size() > 1) return {"accelerations"};
   for (const scene::Scene& scene : scenes) Functions(scene).chosen(options.functions);  // refuses what is not there
   return options.functions;
@@ -91,7 +91,7 @@ std::string as_json(const std::vector<Contest>& list, const Conditions& conditio
 }
 
 // That writes the same report again, bar the times.
-std::string command_of(const Options& options) {
+std::string command_of(const BenchOptions& options) {
   std::string command = "kanec bench";
   for (const std::string& scene : options.scenes) command += " " + typed(scene);
   if (!options.connection.empty()) command += " --connection " + fit::shell(options.connection);
@@ -106,14 +106,14 @@ std::string command_of(const Options& options) {
   return options.svg.empty() ? command : command + " --svg " + fit::shell(options.svg);
 }
 
-std::string report_of(const std::vector<Contest>& list, const Options& options) {
+std::string report_of(const std::vector<Contest>& list, const BenchOptions& options) {
   const Conditions conditions{processor_name(), compiler_text(options.build)};
   if (options.json) return as_json(list, conditions);
   if (options.markdown) return page(list, conditions, command_of(options), options.svg);
   return as_text(list, conditions);
 }
 
-int bench(const Options& options) {
+int bench(const BenchOptions& options) {
   if (options.json && options.markdown) throw InputError("--json: found it beside --markdown; allowed: one of them");
   if (is_same_file(options.svg, options.output))
     throw InputError("--svg, --output: found the same file; allowed: a file each");
@@ -143,7 +143,7 @@ std::string variants_help() {
 }  // namespace
 
 void add_bench(CLI::App& app, Action& action) {
-  std::string more = footer;
+  std::string more = bench_footer;
   for (const NamedVariant& one : variants_known()) more += fmt::format("\n  {:<12} {}", one.name, one.meaning);
   const auto [command, options] =
       add_command(app, action, "bench", "time per evaluation, emitted beside generic and other engines", more, &bench);

@@ -22,7 +22,7 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Example: does the code that g++ -O3 makes of the six bodies compute what they do?
+constexpr auto check_footer = R"(Example: does the code that g++ -O3 makes of the six bodies compute what they do?
   kanec check models/six_body --flags "-O3 -march=native"
   kanec check models --functions accelerations
 
@@ -39,7 +39,7 @@ bounds: 200 ulps (roundings mostly cancel: below 20 over trees of 1 to 64 bodies
 and 1e-12 from the generic path (200 ulps are 4.4e-14, and the path has an error of its own); where A is so ill
 conditioned that the generic path loses 1e-13 and more in double, four times its loss. Exit status 1 beyond.)";
 
-struct Options {
+struct CheckOptions {
   SceneArgument scene;
   BuildOptions build;
   int states = 32;
@@ -65,7 +65,7 @@ std::string text_of(const std::vector<Agreement>& list, const Bounds& bounds) {
   return text_table(rows, "lrrrrrl");
 }
 
-Json json_of(const std::vector<Agreement>& list, const Bounds& bounds) {
+Json check_json(const std::vector<Agreement>& list, const Bounds& bounds) {
   Json functions = Json::array();
   for (const Agreement& a : list)
     functions.push_back({{"name", a.function},
@@ -92,7 +92,7 @@ std::string verdict(const std::vector<Agreement>& list, const Bounds& bounds) {
                      brief(bounds.generic));
 }
 
-std::vector<Agreement> compare(const scene::Scene& scene, const Options& options, const CompiledModel& model) {
+std::vector<Agreement> compare(const scene::Scene& scene, const CheckOptions& options, const CompiledModel& model) {
   const std::vector<State> states = samples(scene, options.states, options.seed);
   const Interrupts interrupts;
   ProgressBar bar(scene.name);
@@ -108,7 +108,7 @@ struct Found {
   Json json;
 };
 
-Found found(const scene::Scene& scene, const Options& options) {
+Found found(const scene::Scene& scene, const CheckOptions& options) {
   const Functions functions(scene);
   const CompiledModel model =
       build(scene, options.all ? functions.names() : functions.chosen(options.functions), options.build);
@@ -123,11 +123,11 @@ Found found(const scene::Scene& scene, const Options& options) {
            {"states", options.states},
            {"seed", options.seed},
            {"bounds", {{"ulps", options.bounds.ulps}, {"generic", options.bounds.generic}}},
-           {"functions", json_of(list, options.bounds)},
+           {"functions", check_json(list, options.bounds)},
            {"passed", failure.empty()}}};
 }
 
-int check_all(const std::vector<scene::Scene>& scenes, const Options& options) {
+int check_all(const std::vector<scene::Scene>& scenes, const CheckOptions& options) {
   int status = success;
   Json all = Json::array();
   for (const scene::Scene& scene : scenes) {
@@ -143,7 +143,7 @@ int check_all(const std::vector<scene::Scene>& scenes, const Options& options) {
   return status;
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const bool is_path = !options.scene.path.empty() && options.scene.connection.empty();
   return check_all(is_path ? load_all({options.scene.path}, "") : std::vector{load(options.scene)}, options);
 }
@@ -152,7 +152,7 @@ int check(const Options& options) {
 
 void add_check(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "check", "the compiled functions against two independent computations", footer, &check);
+      add_command(app, action, "check", "the compiled functions against two independent computations", check_footer, &check);
   add_scene(*command, options->scene, "a scene.toml, a folder that holds one, or a folder of these");
   command->add_option("--states", options->states, "random states (32)")
       ->option_text("NUMBER")

@@ -15,7 +15,7 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Example: the source's six bodies, on paper
+constexpr auto derive_footer = R"(Example: the source's six bodies, on paper
   kanec derive --connection 0,1,2,2,1,5 --format latex -o six.tex && pdflatex six.tex
 
 Prints the bodies, the connection array, u(K), the state vectors, the kinematical equations, rotations, positions,
@@ -26,7 +26,7 @@ R1^T is R_1 transposed, a~ the skew matrix of a.
 
 prints instead what was left out of the scene before its equations, and the operations that each reduction saves.)";
 
-struct Options {
+struct DeriveOptions {
   SceneArgument scene;
   std::string format = "text";
   bool json = false;
@@ -40,7 +40,7 @@ std::string reduction_document(const scene::Scene& scene, const std::vector<std:
   return json ? json_text(reductions_json(scene.name, list)) : reductions_text(scene.name, list);
 }
 
-int derive(const Options& options) {
+int derive(const DeriveOptions& options) {
   const scene::Scene scene = load(options.scene);
   const std::string format = options.json ? "json" : options.format;
   if (!options.functions.empty() && !options.reduction) throw InputError("--functions goes with --reduction");
@@ -63,7 +63,7 @@ int derive(const Options& options) {
 
 void add_derive(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "derive", "Kane's equations of a scene, symbolically, block by block", footer, &derive);
+      add_command(app, action, "derive", "Kane's equations of a scene, symbolically, block by block", derive_footer, &derive);
   add_scene(*command, options->scene);
   command->add_option("--format", options->format, "how to print them (text)")
       ->option_text("text|latex|json")

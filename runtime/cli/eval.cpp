@@ -31,7 +31,7 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Example: begin with the scene's initial state, change what you like, evaluate
+constexpr auto eval_footer = R"(Example: begin with the scene's initial state, change what you like, evaluate
   kanec eval models/six_body accelerations --template > state.json
   kanec eval models/six_body accelerations --input state.json
   kanec eval models/six_body accelerations --input state.json --path generic --json
@@ -53,7 +53,7 @@ CSV has a header line of names, in any order (t, coordinates, speeds, their rate
 theta_<body>); JSON lines have an object as above a line; NumPy's .npy has x, then y and ydot where the function reads
 them, or these behind t, a row a state, float64 or float32.)";
 
-struct Options {
+struct EvalOptions {
   SceneArgument scene;
   BuildOptions build;
   std::vector<std::string> settings;
@@ -71,7 +71,7 @@ std::vector<double> rounded(const std::vector<Precise>& values) {
   return result;
 }
 
-std::vector<double> evaluate(const Options& options, const scene::Scene& scene, const State& state) {
+std::vector<double> evaluate(const EvalOptions& options, const scene::Scene& scene, const State& state) {
   const std::string name = emitted_name(options.function);
   if (options.path == "generic") {
     const auto values = generic_path<long double>(scene, parts_of(options.function), state);
@@ -81,7 +81,7 @@ std::vector<double> evaluate(const Options& options, const scene::Scene& scene, 
   return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
 }
 
-std::function<const std::vector<double>&(const State&)> evaluation(const Options& options, const scene::Scene& scene,
+std::function<const std::vector<double>&(const State&)> evaluation(const EvalOptions& options, const scene::Scene& scene,
                                                                     const std::optional<CompiledModel>& model) {
   if (model) return compiled_function(model->library.abi(), scene, emitted_name(options.function));
   const auto values = std::make_shared<std::vector<double>>();
@@ -90,7 +90,7 @@ std::function<const std::vector<double>&(const State&)> evaluation(const Options
   };
 }
 
-int evaluate_states(const Options& options, const scene::Scene& scene, const Needs& needs) {
+int evaluate_states(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
   if (!options.input.empty() || options.show_template || options.json)
     throw InputError("--states: found it beside --input, --template or --json; allowed: --states FILE with --format and -o");
   const scene::Scene set = with_settings(scene, options.settings);
@@ -124,7 +124,7 @@ void overrule(scene::Scene scene, const std::vector<std::string>& settings, Stat
   state.inputs = default_inputs(set);
 }
 
-State input_state(const Options& options, const scene::Scene& scene, const Needs& needs) {
+State input_state(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
   if (options.input.empty())
     throw InputError(
         "--input is not given; allowed: a file, or - for standard input (--template prints one to begin with)");
@@ -140,7 +140,7 @@ void keep_what_is_read(State& state, const Needs& needs) {
   if (!needs.ydot) state.ydot.clear();
 }
 
-int print_template(const Options& options, const scene::Scene& scene, const Needs& needs) {
+int print_template(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
   State state = initial_state(with_settings(scene, options.settings));
   keep_what_is_read(state, needs);
   print_json(state_json(scene, state));
@@ -149,7 +149,7 @@ int print_template(const Options& options, const scene::Scene& scene, const Need
 
 using Layouts = std::vector<Layout>;
 
-std::string text_of(const Options& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+std::string text_of(const EvalOptions& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
                     std::span<const double> values) {
   std::string text = fmt::format("{} of {}, {}\n\n", options.function, scene.name, options.path);
   if (reads_time(scene)) text += fmt::format("t [s] = {:.16e}\n\n", state.t);
@@ -167,7 +167,7 @@ std::string text_of(const Options& options, const scene::Scene& scene, const Sta
   return text;
 }
 
-Json json_of(const Options& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+Json eval_json(const EvalOptions& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
              std::span<const double> values) {
   Json json = {{"model", scene.name}, {"function", options.function}, {"path", options.path}};
   json["state"] = state_json(scene, state);
@@ -189,8 +189,8 @@ Layouts layouts_of(const scene::Scene& scene, const std::string& function, std::
   return layouts;
 }
 
-int eval(const Options& given) {
-  Options options = given;
+int eval(const EvalOptions& given) {
+  EvalOptions options = given;
   if (options.function.empty() && !options.scene.connection.empty()) std::swap(options.function, options.scene.path);
   const scene::Scene scene = load(options.scene);
   const Functions functions(scene);
@@ -206,7 +206,7 @@ int eval(const Options& given) {
   if (std::any_of(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }))
     remark("note: a result is not finite (null in JSON)");
   keep_what_is_read(state, needs);
-  print(options.json ? json_text(json_of(options, scene, state, layouts, values))
+  print(options.json ? json_text(eval_json(options, scene, state, layouts, values))
                      : text_of(options, scene, state, layouts, values));
   return 0;
 }
@@ -216,7 +216,7 @@ int eval(const Options& given) {
 void add_eval(CLI::App& app, Action& action) {
   const auto [command, options] =
       add_command(app, action, "eval", "one function in one state or in many, by name, to all digits: for anybody's verification",
-                  footer, &eval);
+                  eval_footer, &eval);
   add_scene(*command, options->scene);
   command->add_option("FUNCTION", options->function, "its name, as below")->option_text(" ");
   command->add_option("--input", options->input, "the state as JSON; - is standard input")->option_text("FILE");

@@ -17,14 +17,14 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Example: which derivatives does a cart with a pole have, and of what shape?
+constexpr auto functions_footer = R"(Example: which derivatives does a cart with a pole have, and of what shape?
   kanec functions models/cart_pole
 
 Each with its shape (rows x columns; nothing behind a list), the units of its numbers in their order, its arguments and
 what it is. Those with a star are emitted where none are named; others by --functions a,b. Several joined by + are one:
 --functions kinematics+accelerations. The time is an argument where the scene depends on it, inputs where it has any.)";
 
-struct Options {
+struct FunctionsOptions {
   SceneArgument scene;
   bool json = false;
 };
@@ -68,7 +68,7 @@ std::string table_of(const scene::Scene& scene, const std::vector<Available>& al
   return text_table(rows, "llllll");
 }
 
-Json json_of(const scene::Scene& scene, const std::vector<Available>& all) {
+Json functions_json(const scene::Scene& scene, const std::vector<Available>& all) {
   Json list = Json::array();
   for (const Available& function : all) {
     const Layout layout = result_layouts(scene, function.name).front();
@@ -88,11 +88,11 @@ Json json_of(const scene::Scene& scene, const std::vector<Available>& all) {
   return {{"model", scene.name}, {"functions", std::move(list)}};
 }
 
-int functions(const Options& options) {
+int functions(const FunctionsOptions& options) {
   const scene::Scene scene = load(options.scene);
   const Functions known(scene);
   if (options.json)
-    print_json(json_of(scene, known.all()));
+    print_json(functions_json(scene, known.all()));
   else
     print(table_of(scene, known.all()));
   return 0;
@@ -102,7 +102,7 @@ int functions(const Options& options) {
 
 void add_functions_command(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(app, action, "functions", "all that can be asked for of a scene, with shape and unit",
-                                              footer, &functions);
+                                              functions_footer, &functions);
   add_scene(*command, options->scene);
   command->add_flag("--json", options->json, "for machines");
 }

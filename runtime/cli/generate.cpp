@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto footer = R"(Example: six_body.hpp, and a program that uses it
+constexpr auto generate_footer = R"(Example: six_body.hpp, and a program that uses it
   kanec generate models/six_body -o .
   cat > fall.cpp <<'EOF'
   #include <cstdio>
@@ -46,7 +46,7 @@ KANEC_REAL defined as float: docs/embed_c.md. With --abi the two files that `kan
 written as well; with --taylor <name>_taylor.hpp, which has the Taylor series of the motion: what --integrator taylor
 steps by. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
-struct Options {
+struct GenerateOptions {
   SceneArgument scene;
   std::vector<std::string> functions;
   std::optional<symbolic::Algorithm> algorithm;
@@ -73,7 +73,7 @@ struct Product {
   }
 };
 
-Products products_of(const Options& options) {
+Products products_of(const GenerateOptions& options) {
   const Products products{options.language, options.abi, options.taylor};
   check_products(products);
   if (options.language == emit::Language::c && !options.stage.empty())
@@ -108,7 +108,7 @@ class NewFolder {
   fs::path path_;
 };
 
-std::deque<Product> open_products(const Options& options, const Products& wanted, const std::string& name) {
+std::deque<Product> open_products(const GenerateOptions& options, const Products& wanted, const std::string& name) {
   std::deque<Product> products;
   if (options.json && is_standard_output(options.output))
     throw InputError("--json: found it beside --output " + options.output +
@@ -179,7 +179,7 @@ Json report_json(const scene::Scene& scene, const Generated& generated, const st
           {"files", std::move(files)}};
 }
 
-int dump_stage(const Options& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
+int dump_stage(const GenerateOptions& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
   AtomicFile file(options.output.empty() ? "-" : options.output);
   file.write(dump(scene, functions, options.stage));
   file.commit();
@@ -188,12 +188,12 @@ int dump_stage(const Options& options, const scene::Scene& scene, const std::vec
 
 void remark_note(const std::string& note) { remark("note: " + note); }
 
-std::vector<std::string> functions_of(const Options& options, const scene::Scene& scene) {
+std::vector<std::string> functions_of(const GenerateOptions& options, const scene::Scene& scene) {
   std::vector<std::string> chosen = Functions(scene).chosen(options.functions);
   return options.taylor ? functions_with_rates(scene, std::move(chosen), remark_note) : chosen;
 }
 
-int generate_files(const Options& options) {
+int generate_files(const GenerateOptions& options) {
   const Products wanted = products_of(options);
   const scene::Scene scene = load(options.scene);
   const std::vector<std::string> functions = functions_of(options, scene);
@@ -231,7 +231,7 @@ void add_language(CLI::App& command, emit::Language& language) {
 
 void add_generate(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted", footer,
+      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted", generate_footer,
                   &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);

@@ -17,20 +17,20 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer = R"(Example: what the shipped scenes cost, as the page that the documentation links
+constexpr auto ledger_footer = R"(Example: what the shipped scenes cost, as the page that the documentation links
   kanec ledger models --markdown -o docs/ledger.md
 
 A scene is a scene.toml or a folder that holds one; a folder of such folders means all of them, by name. Without any,
 those under models/. Counted are the functions that a scene asks for, or the usual ones; with --all every function that
 it can have, derivatives included. Nothing is compiled. In the JSON a list of scenes.)";
 
-struct Options {
+struct LedgerOptions {
   std::vector<std::string> scenes;
   bool markdown = false, json = false, all = false;
   std::string output = "-";
 };
 
-std::vector<SceneCost> costs_of(const Options& options) {
+std::vector<SceneCost> costs_of(const LedgerOptions& options) {
   std::vector<std::string> files;
   for (const std::string& word : options.scenes.empty() ? std::vector<std::string>{"models"} : options.scenes)
     for (std::string& file : scene_files(word)) files.push_back(std::move(file));
@@ -45,13 +45,13 @@ std::vector<SceneCost> costs_of(const Options& options) {
   return costs;
 }
 
-std::string command_of(const Options& options) {
+std::string command_of(const LedgerOptions& options) {
   std::string command = "kanec ledger";
   for (const std::string& scene : options.scenes) command += " " + typed(scene);
   return command + (options.all ? " --all" : "") + " --markdown";
 }
 
-int ledger(const Options& options) {
+int ledger(const LedgerOptions& options) {
   if (options.markdown && options.json) throw InputError("--json: found it beside --markdown; allowed: one of them");
   AtomicFile file(options.output);
   const std::vector<SceneCost> costs = costs_of(options);
@@ -66,7 +66,7 @@ int ledger(const Options& options) {
 
 void add_ledger(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "ledger", "the operations of every function of many scenes", footer, &ledger);
+      add_command(app, action, "ledger", "the operations of every function of many scenes", ledger_footer, &ledger);
   command->add_option("SCENES", options->scenes, "scenes, or folders of scenes (models)")
       ->option_text(" ")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

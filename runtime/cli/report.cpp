@@ -25,9 +25,8 @@
 namespace kanec::cli {
 namespace {
 
-using Options = ReportOptions;
 
-constexpr auto footer =
+constexpr auto report_footer =
     R"(Example: which integrator for the double pendulum, which tolerance, at what cost, as tables and as a picture
   kanec report models/double_pendulum --integration --error 1e-9 --plot pendulum.svg
   kanec report models/bench_cr7 --evaluation --functions accelerations
@@ -65,7 +64,7 @@ of what is kept to what; exit status 1 where one is not. --short takes the lengt
 void refuse(const std::string& found, const std::string& allowed) { throw InputError(found + "; allowed: " + allowed); }
 
 // Of several scenes each has its name behind the file's.
-std::vector<std::string> picture_files(const Options& options, const std::vector<scene::Scene>& scenes) {
+std::vector<std::string> picture_files(const ReportOptions& options, const std::vector<scene::Scene>& scenes) {
   std::vector<std::string> list;
   const std::filesystem::path plot = options.plot;
   for (const scene::Scene& scene : scenes) {
@@ -77,7 +76,7 @@ std::vector<std::string> picture_files(const Options& options, const std::vector
   return list;
 }
 
-void require_one_format(const Options& options) {
+void require_one_format(const ReportOptions& options) {
   if (options.json + options.csv + options.markdown > 1)
     refuse("--json, --csv, --markdown: found several of them", "one");
 }
@@ -94,7 +93,7 @@ std::vector<std::string> names_in(const std::vector<std::string>& lists, const s
 }
 
 // The first option given that integration alone reads, or evaluation alone; empty: none.
-std::string given_for_integration(const Options& options) {
+std::string given_for_integration(const ReportOptions& options) {
   const IntegrationOptions& run = options.integration;
   if (options.with_peers) return "--peers";
   if (!run.integrators.empty()) return "--integrators";
@@ -112,7 +111,7 @@ std::string given_for_evaluation(const EvaluationOptions& options) {
 }
 
 // Options of one part beside what makes the other alone.
-void require_their_part(const Options& options) {
+void require_their_part(const ReportOptions& options) {
   if (const std::string name = given_for_integration(options); !options.integrates() && !name.empty())
     refuse(name + ": found it beside " + (options.evaluation_alone ? "--evaluation" : "--functions"),
            "with integration");
@@ -120,7 +119,7 @@ void require_their_part(const Options& options) {
     refuse(name + ": found it beside --integration", "with --evaluation");
 }
 
-void check(const Options& options) {
+void check_options(const ReportOptions& options) {
   for (const std::string& name : options.integration.integrators) integrate::method_of(name);
   require_one_format(options);
   if (options.evaluation_alone && options.integration_alone)
@@ -143,13 +142,13 @@ std::vector<Peer> integrating_peers() {
 }
 
 // What the other reports read.
-bool asks_for_more(const Options& options) {
+bool asks_for_more(const ReportOptions& options) {
   return !options.connection.empty() || options.csv || !options.plot.empty() || options.evaluation_alone ||
          options.integration_alone || !given_for_integration(options).empty() ||
          !given_for_evaluation(options.evaluation).empty();
 }
 
-int report_hard(const Options& options) {
+int report_hard(const ReportOptions& options) {
   require_one_format(options);
   if (asks_for_more(options))
     refuse("--hard: found it beside other reports", "folders of cases, --short, --json, --markdown, --output");
@@ -160,12 +159,12 @@ int report_hard(const Options& options) {
   return check_failed;
 }
 
-int report(const Options& given) {
-  Options options = given;
+int report(const ReportOptions& given) {
+  ReportOptions options = given;
   if (options.hard) return report_hard(options);
   if (options.brief) refuse("--short: found it without --hard", "with --hard");
   options.integration.integrators = names_in(given.integration.integrators, "--integrators");
-  check(options);
+  check_options(options);
   if (options.with_peers) options.integration.peers = integrating_peers();
   const std::vector<scene::Scene> scenes = load_all(options.scenes, options.connection);
   AtomicFile file(options.output);
@@ -190,7 +189,7 @@ int report(const Options& given) {
   return failures.empty() ? success : check_failed;
 }
 
-void add_parts(CLI::App& command, Options& options) {
+void add_parts(CLI::App& command, ReportOptions& options) {
   command.add_flag("--evaluation", options.evaluation_alone, "rounding errors of functions alone");
   command.add_flag("--integration", options.integration_alone, "integrators alone");
   command.add_flag("--hard", options.hard, "hard cases: folders with a hard.toml, or of such folders (models/hard)");
@@ -206,7 +205,7 @@ void add_evaluation(CLI::App& command, EvaluationOptions& options) {
   command.add_flag("--timed", options.is_timed, "emitted variants compiled: time beside error, lanes beside scalar");
 }
 
-void add_integration(CLI::App& command, Options& options) {
+void add_integration(CLI::App& command, ReportOptions& options) {
   const std::string group = "Integration";
   IntegrationOptions& run = options.integration;
   command
@@ -243,7 +242,7 @@ void add_integration(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(app, action, "report", "speed against error", footer, &report);
+  const auto [command, options] = add_command(app, action, "report", "speed against error", report_footer, &report);
   command->add_option("SCENE", options->scenes, "scene.toml files, folders that hold one, or folders of these")
       ->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")

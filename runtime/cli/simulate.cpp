@@ -38,7 +38,7 @@
 namespace kanec::cli {
 namespace {
 
-constexpr auto footer =
+constexpr auto simulate_footer =
     R"(Example: the six bodies with a heavier payload and no thrust, 20 s, as numbers and as a picture
   kanec simulate models/six_body --set m_payload=2.5 --set thrust=0 --duration 20 --csv six.csv --plot six.svg
 
@@ -64,7 +64,7 @@ With rk4 the scenarios run side by side in the processor's vector registers, whi
 integrator one in each thread. Results do not depend on the number of threads. --csv then has a line a scenario, its end
 or with --keep-every its rows; a scenario that stops early has its last finite row there, and the summary tells of it.)";
 
-struct Options {
+struct SimulateOptions {
   SceneArgument scene;
   BuildOptions build;
   std::vector<std::string> settings;
@@ -77,7 +77,7 @@ struct Options {
 };
 
 // The scene's settings, overruled by the command line, each judged where it stands.
-scene::Simulation simulation_of(const scene::Scene& scene, const Options& options) {
+scene::Simulation simulation_of(const scene::Scene& scene, const SimulateOptions& options) {
   scene::Simulation run = scene.simulation;
   std::map<std::string, std::string> given;  // the option in place of a key
   const auto overrule = [&](const char* key, const char* name, const auto& option, auto& value) {
@@ -101,12 +101,12 @@ scene::Simulation simulation_of(const scene::Scene& scene, const Options& option
   return run;
 }
 
-bool takes_standard_output(const Options& options) {
+bool takes_standard_output(const SimulateOptions& options) {
   return is_standard_output(options.csv) || is_standard_output(options.plot) ||
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
-void refuse_same_file(const Options& options) {
+void refuse_same_file(const SimulateOptions& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
   const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
@@ -123,10 +123,10 @@ void refuse_same_file(const Options& options) {
 }
 
 // What the run leaves behind; each file is opened before the run and appears after it.
-class Products {
+class Outputs {
  public:
   // rows_before: of the trajectory that the run goes on from.
-  Products(const Options& options, const scene::Scene& scene, const std::string& rows_before) {
+  Outputs(const SimulateOptions& options, const scene::Scene& scene, const std::string& rows_before) {
     refuse_same_file(options);
     csv_path_ = options.csv;
     const StateNames names = trajectory_names(scene);
@@ -188,17 +188,18 @@ std::vector<std::string> functions_for(const scene::Scene& scene, integrate::Opt
 // " (body 3, arm)" of the component that a message names.
 std::string body_named(const scene::Scene& scene, const std::string& message) {
   const std::string words = message + " ";
-  for (const auto& names : {coordinate_names(scene), speed_names(scene)})
+  const StateNames known = state_names(scene);
+  for (const auto& names : {known.coordinates, known.speeds})
     for (const std::string& name : names) {
       if (words.find(" " + name + " ") == std::string::npos) continue;
-      const int k = component_of(name).body;
+      const int k = component_of(name, known.bodies).body;
       return " (body " + std::to_string(k) + ", " + scene.bodies[static_cast<std::size_t>(k - 1)].name + ")";
     }
   return "";
 }
 
 Summary integrate_model(const kanec_model& model, const scene::Scene& scene, const State& start,
-                                   const integrate::Options& options, Products& products,
+                                   const integrate::Options& options, Outputs& outputs,
                                    const Interrupts& interrupts) {
   const Solver solver = solver_of(model, scene, start);
   ProgressBar bar(scene.name);
@@ -207,7 +208,7 @@ Summary integrate_model(const kanec_model& model, const scene::Scene& scene, con
     bar.show(fraction);
   };
   return simulate(
-      solver, start.x, start.y, options, [&](const auto& row) { products.add(row); }, progress);
+      solver, start.x, start.y, options, [&](const auto& row) { outputs.add(row); }, progress);
 }
 
 State final_state(const scene::Scene& scene, const Summary& summary) {
@@ -217,7 +218,7 @@ State final_state(const scene::Scene& scene, const Summary& summary) {
 }
 
 // An input that events set has a column, where its value is from.
-void refuse_set_columns(const Options& options, const scene::Scene& scene) {
+void refuse_set_columns(const SimulateOptions& options, const scene::Scene& scene) {
   for (const std::string& input : trajectory_names(scene).inputs)
     for (const std::string& setting : options.settings)
       if (setting.substr(0, setting.find('=')) == input)
@@ -226,7 +227,7 @@ void refuse_set_columns(const Options& options, const scene::Scene& scene) {
 }
 
 // The scene's own start, or where a trajectory ends.
-Resumed start_of(const Options& options, const scene::Scene& scene, integrate::Options& run) {
+Resumed start_of(const SimulateOptions& options, const scene::Scene& scene, integrate::Options& run) {
   if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
   refuse_set_columns(options, scene);
   Resumed resumed = read_trajectory(read_file(options.resume, most_of_a_table), options.resume, scene);
@@ -238,22 +239,22 @@ Resumed start_of(const Options& options, const scene::Scene& scene, integrate::O
   return resumed;
 }
 
-[[noreturn]] void tell_failure(const IntegrationError& error, const Options& options, const scene::Scene& scene,
-                               Products& products) {
+[[noreturn]] void tell_failure(const IntegrationError& error, const SimulateOptions& options, const scene::Scene& scene,
+                               Outputs& outputs) {
   std::string message = error.what() + body_named(scene, error.what());
-  if (products.keep_rows()) message += "; the rows until there are in " + options.csv;
+  if (outputs.keep_rows()) message += "; the rows until there are in " + options.csv;
   throw IntegrationError(message);
 }
 
-[[noreturn]] void tell_interruption(const Options& options, Products& products) {
-  const std::optional<double> end = products.keep_rows();
+[[noreturn]] void tell_interruption(const SimulateOptions& options, Outputs& outputs) {
+  const std::optional<double> end = outputs.keep_rows();
   if (!end) throw Interrupted();
   const std::string rows = "; the rows until " + shortest(*end) + " s are ";
   if (is_standard_output(options.csv)) throw Interrupted(rows + "on standard output");
   throw Interrupted(rows + "in " + options.csv + ", and --resume " + fit::shell(options.csv) + " goes on from there");
 }
 
-int simulate_many(const Options& options, const scene::Scene& scene, const integrate::Options& run) {
+int simulate_many(const SimulateOptions& options, const scene::Scene& scene, const integrate::Options& run) {
   refuse_same_file(options);
   if (!options.plot.empty() || !options.final_state.empty())
     throw InputError("--plot, --final: found beside --ensemble; allowed: --csv, which has every scenario's end");
@@ -263,7 +264,7 @@ int simulate_many(const Options& options, const scene::Scene& scene, const integ
   return simulate_ensemble({scene, run, options.ensemble, options.build, options.csv, options.json});
 }
 
-int simulate_scene(const Options& options) {
+int simulate_scene(const SimulateOptions& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
   integrate::Options run = integration_options(set, simulation_of(scene, options));
@@ -271,20 +272,20 @@ int simulate_scene(const Options& options) {
   options.ensemble.refuse_without_ensemble();
   const Interrupts interrupts;
   const Resumed resumed = start_of(options, set, run);
-  Products products(options, scene, resumed.rows);
+  Outputs outputs(options, scene, resumed.rows);
   const CompiledModel model =
       build(scene, functions_for(scene, run), options.build, integrate::needs_series(run.method));
   Summary summary;
   try {
-    summary = integrate_model(model.library.abi(), set, resumed.state, run, products, interrupts);
+    summary = integrate_model(model.library.abi(), set, resumed.state, run, outputs, interrupts);
   } catch (const IntegrationError& error) {
-    tell_failure(error, options, scene, products);
+    tell_failure(error, options, scene, outputs);
   } catch (const Interrupted&) {
-    tell_interruption(options, products);
+    tell_interruption(options, outputs);
   }
   const Conservation conservation{is_isolated(scene), has_drives(scene)};
   const Json last = state_json(set, final_state(set, summary));
-  products.finish(last);
+  outputs.finish(last);
   if (!options.json) {
     report(scene.name + "\n" + summary_text(summary, run, conservation), takes_standard_output(options));
     return 0;
@@ -296,7 +297,7 @@ int simulate_scene(const Options& options) {
   return 0;
 }
 
-void add_files(CLI::App& command, Options& options) {
+void add_files(CLI::App& command, SimulateOptions& options) {
   const std::string group = "Files";
   command.add_option("--csv", options.csv, "the trajectory")->option_text("FILE")->group(group);
   command.add_option("--plot", options.plot, "coordinates, speeds, energies, drawn by gnuplot")
@@ -314,7 +315,7 @@ void add_files(CLI::App& command, Options& options) {
 
 void add_simulate(CLI::App& app, Action& action) {
   const auto [command, options] = add_command(
-      app, action, "simulate", "compile a scene (once), integrate it, tell what became of it", footer, &simulate_scene);
+      app, action, "simulate", "compile a scene (once), integrate it, tell what became of it", simulate_footer, &simulate_scene);
   add_scene(*command, options->scene);
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS")->check(positive());
   command->add_option("--output-step", options->output_step, "between rows [s]")

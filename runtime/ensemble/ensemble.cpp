@@ -10,6 +10,7 @@
 #include "runtime/ensemble/scenarios.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/run/needed_functions.hpp"
+#include "runtime/run/watched_events.hpp"
 #include "runtime/terminal/interrupt.hpp"
 #include "runtime/terminal/output.hpp"
 #include "runtime/terminal/progress.hpp"
@@ -18,7 +19,6 @@
 
 namespace kanec {
 namespace {
-
 
 constexpr auto from_scene = "scene";
 constexpr std::size_t pieces_a_thread = 4;  // between two looks at the clock: groups of lanes, or scenarios
@@ -39,7 +39,7 @@ class EndsFile {
   EndsFile(const std::string& path, const scene::Scene& scene) {
     if (path.empty()) return;
     file_.emplace(path);
-    file_->write("scenario," + csv_header({coordinate_names(scene), speed_names(scene)}, true) + "\n");
+    file_->write("scenario," + csv_header(state_names(scene), true) + "\n");
   }
   void add(std::size_t scenario, const Outcome& outcome) {
     if (!file_) return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/integrate/norm.hpp"
@@ -54,8 +55,8 @@ void Spread::add(double value) {
 double Spread::deviation() const { return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1)); }
 
 EnsembleSummary::EnsembleSummary(const scene::Scene& scene, integrate::Options run)
-    : names_(coordinate_names(scene)), driven_(has_drives(scene)), run_(run) {
-  for (const std::string& name : speed_names(scene)) names_.push_back(name);
+    : names_(in_words(scene, coordinate_names(scene))), driven_(has_drives(scene)), run_(run) {
+  for (const std::string& name : in_words(scene, speed_names(scene))) names_.push_back(name);
   ends_.resize(names_.size());
 }
 

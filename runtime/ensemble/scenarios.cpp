@@ -139,7 +139,7 @@ void Scenarios::check_parameters(std::size_t row) const {
 bool Scenarios::normalise(std::vector<double>& x, std::size_t row) const {
   const UnitNorm norm = to_unit_norm(layout_, x);
   if (norm.zero > 0)
-    refuse(table_.place(row) + ": eps_" + std::to_string(norm.zero), "norm 0",
+    refuse(table_.place(row) + ": eps_" + scene::body_words(scene_)[static_cast<std::size_t>(norm.zero - 1)], "norm 0",
            "Euler parameters, of which one is not zero");
   return !norm.off.empty();
 }

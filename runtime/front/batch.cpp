@@ -20,12 +20,6 @@ struct Batch::Data {
 
 namespace {
 
-std::vector<double> values_of(const std::vector<Quantity>& list) {
-  std::vector<double> values;
-  for (const Quantity& one : list) values.push_back(one.value);
-  return values;
-}
-
 std::variant<BatchSolver<double>, BatchSolver<float>> solver_for(const kanec_batch& batch, int threads) {
   if (batch.scalar_size == sizeof(float)) return BatchSolver<float>(batch, threads);
   return BatchSolver<double>(batch, threads);
@@ -75,14 +69,13 @@ Batch Batch::load(const std::filesystem::path& library, int threads) {
   const auto loaded = std::make_shared<const compile::Library>(library);
   if (!loaded->is_batch())
     throw LoadError("compiled model " + library.string() + ": found a model; allowed: a batch (Model::load loads it)");
-  return {loaded->batch(), loaded, threads};
+  return {loaded->batch(), {*loaded->batch().model, loaded}, threads};
 }
 
-Batch::Batch(const kanec_batch& batch, std::shared_ptr<const void> owner, int threads) {
-  Model model(*batch.model, std::move(owner));
-  std::vector<double> parameters = values_of(model.parameters()), inputs = values_of(model.inputs());
-  data_ = std::make_unique<Data>(
-      Data{std::move(model), solver_for(batch, threads), std::move(parameters), std::move(inputs)});
+Batch::Batch(const kanec_batch& batch, Model model, int threads)
+    : data_(std::make_unique<Data>(Data{std::move(model), solver_for(batch, threads)})) {
+  set_parameters(values_of(data_->model.parameters()));
+  set_inputs(values_of(data_->model.inputs()));
 }
 
 Batch::Batch(Batch&&) noexcept = default;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kanec/model.hpp"
 #include "runtime/abi/solver.hpp"
@@ -24,6 +25,8 @@ void require_of(const kanec_model& model, const Function& function);
 
 // The place of a name; throws InputError that names the nearest.
 int named(const char* what, const char* const* names, int count, std::string_view name);
+
+std::vector<double> values_of(const std::vector<Quantity>& list);
 
 void require_finite(const char* what, std::span<const double> values);
 

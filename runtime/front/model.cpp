@@ -65,6 +65,12 @@ int named(const char* what, const char* const* names, int count, std::string_vie
                    (near.empty() ? "" : " (did you mean " + near + "?)"));
 }
 
+std::vector<double> values_of(const std::vector<Quantity>& list) {
+  std::vector<double> values;
+  for (const Quantity& one : list) values.push_back(one.value);
+  return values;
+}
+
 void require_finite(const char* what, std::span<const double> values) {
   for (const double value : values)
     if (!std::isfinite(value))
@@ -78,7 +84,11 @@ Model Model::load(const std::filesystem::path& library) {
   return {loaded->model(), loaded};
 }
 
-Model::Model(const kanec_model& model, std::shared_ptr<const void> owner) : model_(&model), owner_(std::move(owner)) {}
+Model::Model(const kanec_model& model, std::shared_ptr<const void> owner)
+    : model_(&model),
+      owner_(std::move(owner)),
+      parameters_(quantities(model.parameter_names, model.parameter_defaults, model.n_parameters)),
+      inputs_(quantities(model.input_names, model.input_defaults, model.n_inputs)) {}
 
 std::string Model::name() const { return model_->name; }
 std::string Model::hash() const { return model_->hash; }
@@ -88,12 +98,19 @@ int Model::ny() const { return model_->ny; }
 std::vector<std::string> Model::coordinates() const { return list_of(model_->coordinate_names, model_->nx); }
 std::vector<std::string> Model::speeds() const { return list_of(model_->speed_names, model_->ny); }
 
-std::vector<Quantity> Model::parameters() const {
-  return quantities(model_->parameter_names, model_->parameter_defaults, model_->n_parameters);
-}
+std::vector<Quantity> Model::parameters() const { return parameters_; }
+std::vector<Quantity> Model::inputs() const { return inputs_; }
 
-std::vector<Quantity> Model::inputs() const {
-  return quantities(model_->input_names, model_->input_defaults, model_->n_inputs);
+Model Model::with(const std::vector<Quantity>& values) const {
+  Model other = *this;
+  for (auto* list : {&other.parameters_, &other.inputs_})
+    for (Quantity& quantity : *list)
+      for (const Quantity& given : values) {
+        if (given.name != quantity.name) continue;
+        require_finite(given.name.c_str(), {&given.value, 1});
+        quantity.value = given.value;
+      }
+  return other;
 }
 
 std::vector<Function> Model::functions() const {
@@ -119,6 +136,8 @@ Evaluator::Evaluator(Model model) : model_(std::move(model)) {
   if (model_.abi().prepare == nullptr)
     throw InputError(model_.name() + ": found the model of a batch; allowed: one for single states");
   data_ = std::make_unique<Data>(Solver(model_.abi()));
+  set_parameters(values_of(model_.parameters()));
+  set_inputs(values_of(model_.inputs()));
 }
 
 Evaluator::Evaluator(const Evaluator& other) : model_(other.model_), data_(std::make_unique<Data>(*other.data_)) {}

@@ -135,17 +135,11 @@ WatchedEvent watched(const integrate::Event& from) {
   return event;
 }
 
-// Values of the scene that the model's code kept, by name.
-void set_values(Evaluator& evaluator, const scene::Scene& scene) {
-  const auto of = [](const std::vector<scene::Named>& list, std::vector<Quantity> kept) {
-    std::vector<double> values;
-    for (const Quantity& one : kept)
-      for (const scene::Named& named : list)
-        if (named.name == one.name) values.push_back(named.value);
-    return values;
-  };
-  evaluator.set_parameters(of(scene.parameters, evaluator.model().parameters()));
-  evaluator.set_inputs(of(scene.inputs, evaluator.model().inputs()));
+// Parameters and inputs.
+std::vector<Quantity> quantities_of(const scene::Scene& scene) {
+  std::vector<Quantity> values = quantities_of(scene.parameters);
+  for (const Quantity& input : quantities_of(scene.inputs)) values.push_back(input);
+  return values;
 }
 
 }  // namespace
@@ -269,7 +263,7 @@ std::vector<File> Scene::generate(const Emission& emission) const {
 
 Model Scene::compile(const Emission& emission, const Compilation& compilation) const {
   const auto owner = std::make_shared<const CompiledModel>(compiled(data_->as_read, emission, compilation));
-  return {owner->library.abi(), owner};
+  return Model(owner->library.abi(), owner).with(quantities_of(data_->scene));
 }
 
 Batch Scene::compile_batch(const Emission& emission, const Compilation& compilation, int threads,
@@ -282,7 +276,8 @@ Batch Scene::compile_batch(const Emission& emission, const Compilation& compilat
   const auto owner = std::make_shared<const CompiledModel>(
       build_batch(data_->as_read, requests_of(data_->as_read, emission), build_options(emission, compilation),
                   {scalar, lanes}));
-  return {owner->library.batch(), owner, threads};
+  const kanec_batch& batch = owner->library.batch();
+  return {batch, Model(*batch.model, owner).with(quantities_of(data_->scene)), threads};
 }
 
 std::vector<Agreed> Scene::check(const Emission& emission, const Compilation& compilation, int states,
@@ -311,9 +306,7 @@ Motion Scene::simulate(const Run& run, const Compilation& compilation, const Pro
   Emission emission;
   emission.functions = functions_to_simulate(run);
   emission.taylor = needs_taylor(run);
-  Evaluator evaluator(compile(emission, compilation));
-  set_values(evaluator, data_->scene);
-  return kanec::simulate(evaluator, initial_x(), initial_y(), run, progress);
+  return kanec::simulate(Evaluator(compile(emission, compilation)), initial_x(), initial_y(), run, progress);
 }
 
 std::string library_version() { return version(); }

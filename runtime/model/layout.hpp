@@ -13,9 +13,10 @@ namespace kanec {
 
 // Numbers that belong together.
 struct Block {
-  std::string name;        // "eps_1"
-  std::vector<int> shape;  // none: a number; one: a list; two: a matrix, row by row
-  std::string unit;        // "rad/s"
+  std::string name;           // "eps_hub"
+  std::vector<int> shape;     // none: a number; one: a list; two: a matrix, row by row
+  std::string unit;           // "rad/s"
+  std::string numbered = {};  // its other name, by the body's number: "eps_1"; empty where it has none
 
   std::size_t size() const;
 };

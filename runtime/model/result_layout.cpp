@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/model/state_layout.hpp"
@@ -13,6 +14,10 @@ namespace {
 using scene::Scene;
 using Names = std::vector<std::string>;
 
+Names x_names(const Scene& scene) { return in_words(scene, scene::coordinate_names(scene)); }
+Names y_names(const Scene& scene) { return in_words(scene, scene::speed_names(scene)); }
+Names ydot_names(const Scene& scene) { return in_words(scene, scene::speed_rate_names(scene)); }
+
 Names input_names(const Scene& scene) {
   Names names;
   for (const scene::Named& input : scene.inputs) names.push_back(input.name);
@@ -20,8 +25,8 @@ Names input_names(const Scene& scene) {
 }
 
 // "epsdot_1_2"
-Names coordinate_rate_names(const Scene& scene) {
-  Names names = coordinate_names(scene);
+Names xdot_names(const Scene& scene) {
+  Names names = x_names(scene);
   for (std::string& name : names) name.insert(name.find('_'), "dot");
   return names;
 }
@@ -29,7 +34,7 @@ Names coordinate_rate_names(const Scene& scene) {
 // ξ, then y.
 Names tangent_state_names(const Scene& scene) {
   Names names = tangent_names(scene);
-  for (const std::string& speed : speed_names(scene)) names.push_back(speed);
+  for (const std::string& speed : y_names(scene)) names.push_back(speed);
   return names;
 }
 
@@ -39,31 +44,31 @@ Layout matrix(const std::string& name, const std::string& letter, const Names& r
 }
 
 Layout mass_matrix(const Scene& scene) {
-  return matrix("mass_matrix", "A", speed_names(scene), speed_names(scene), "kg m^2, kg m, kg");
+  return matrix("mass_matrix", "A", y_names(scene), y_names(scene), "kg m^2, kg m, kg");
 }
 
-// A matrix of three rows a body, "v_1" and so on.
+// A matrix of three rows a body, "v_1" or "v_hub".
 Layout by_body_and_speed(const Scene& scene, const std::string& name, const std::string& letter) {
-  Layout layout{name, {}, {"1", "2", "3"}, speed_names(scene)};
-  for (int k = 1; k <= size(scene); ++k)
-    layout.blocks.push_back({letter + "_" + std::to_string(k), {3, n_speeds(scene)}, ""});
+  Layout layout{name, {}, {"1", "2", "3"}, y_names(scene)};
+  for (const std::string& body : scene::body_words(scene))
+    layout.blocks.push_back({letter + "_" + body, {3, n_speeds(scene)}, ""});
   return layout;
 }
 
 Layout poses(const Scene& scene) {
   Layout layout{"poses", {}};
-  for (int k = 1; k <= size(scene); ++k) {
-    layout.blocks.push_back({"R_" + std::to_string(k), {3, 3}, ""});
-    layout.blocks.push_back({"p_" + std::to_string(k), {3}, "m"});
+  for (const std::string& body : scene::body_words(scene)) {
+    layout.blocks.push_back({"R_" + body, {3, 3}, ""});
+    layout.blocks.push_back({"p_" + body, {3}, "m"});
   }
   return layout;
 }
 
 Layout reactions(const Scene& scene) {
   Layout layout{"reactions", {}};
-  for (int k = 1; k <= size(scene); ++k) {
-    layout.blocks.push_back({"force_" + std::to_string(k), {3}, "N"});
-    layout.blocks.push_back({"moment_" + std::to_string(k), {3}, "N m"});
+  for (const std::string& body : scene::body_words(scene)) {
+    layout.blocks.push_back({"force_" + body, {3}, "N"});
+    layout.blocks.push_back({"moment_" + body, {3}, "N m"});
   }
   return layout;
 }
@@ -113,25 +118,25 @@ const std::map<std::string, Builder>& builders() {
       {"events", events},
       {"driving_loads", driving_loads_layout},
       {"reactions", reactions},
-      {"residual_x", [](const Scene& s) { return matrix("residual_x", "r_x", speed_names(s), coordinate_names(s)); }},
-      {"residual_y", [](const Scene& s) { return matrix("residual_y", "r_y", speed_names(s), speed_names(s)); }},
+      {"residual_x", [](const Scene& s) { return matrix("residual_x", "r_x", y_names(s), x_names(s)); }},
+      {"residual_y", [](const Scene& s) { return matrix("residual_y", "r_y", y_names(s), y_names(s)); }},
       {"residual_ydot",
-       [](const Scene& s) { return matrix("residual_ydot", "r_ydot", speed_names(s), speed_rate_names(s)); }},
-      {"residual_xi", [](const Scene& s) { return matrix("residual_xi", "r_xi", speed_names(s), tangent_names(s)); }},
+       [](const Scene& s) { return matrix("residual_ydot", "r_ydot", y_names(s), ydot_names(s)); }},
+      {"residual_xi", [](const Scene& s) { return matrix("residual_xi", "r_xi", y_names(s), tangent_names(s)); }},
       {"accelerations_x",
-       [](const Scene& s) { return matrix("accelerations_x", "ydot_x", speed_rate_names(s), coordinate_names(s)); }},
+       [](const Scene& s) { return matrix("accelerations_x", "ydot_x", ydot_names(s), x_names(s)); }},
       {"accelerations_y",
-       [](const Scene& s) { return matrix("accelerations_y", "ydot_y", speed_rate_names(s), speed_names(s)); }},
+       [](const Scene& s) { return matrix("accelerations_y", "ydot_y", ydot_names(s), y_names(s)); }},
       {"accelerations_u",
-       [](const Scene& s) { return matrix("accelerations_u", "ydot_u", speed_rate_names(s), input_names(s)); }},
+       [](const Scene& s) { return matrix("accelerations_u", "ydot_u", ydot_names(s), input_names(s)); }},
       {"accelerations_xi",
-       [](const Scene& s) { return matrix("accelerations_xi", "ydot_xi", speed_rate_names(s), tangent_names(s)); }},
+       [](const Scene& s) { return matrix("accelerations_xi", "ydot_xi", ydot_names(s), tangent_names(s)); }},
       {"kinematics_x",
-       [](const Scene& s) { return matrix("kinematics_x", "xdot_x", coordinate_rate_names(s), coordinate_names(s)); }},
+       [](const Scene& s) { return matrix("kinematics_x", "xdot_x", xdot_names(s), x_names(s)); }},
       {"kinematics_y",
-       [](const Scene& s) { return matrix("kinematics_y", "xdot_y", coordinate_rate_names(s), speed_names(s)); }},
-      {"power_x", [](const Scene& s) { return matrix("power_x", "power_by_x", {"power"}, coordinate_names(s)); }},
-      {"power_y", [](const Scene& s) { return matrix("power_y", "power_by_y", {"power"}, speed_names(s)); }},
+       [](const Scene& s) { return matrix("kinematics_y", "xdot_y", xdot_names(s), y_names(s)); }},
+      {"power_x", [](const Scene& s) { return matrix("power_x", "power_by_x", {"power"}, x_names(s)); }},
+      {"power_y", [](const Scene& s) { return matrix("power_y", "power_by_y", {"power"}, y_names(s)); }},
       {"state_matrix",
        [](const Scene& s) { return matrix("state_matrix", "S", tangent_state_names(s), tangent_state_names(s)); }},
       {"input_matrix",
@@ -142,7 +147,7 @@ const std::map<std::string, Builder>& builders() {
 Layout of_point(const Scene& scene, const std::string& name, const std::string& what) {
   if (what == "_jacobian") {
     const Names rows = {"1", "2", "3"};
-    return matrix(name, "v_y", rows, speed_names(scene));
+    return matrix(name, "v_y", rows, y_names(scene));
   }
   if (what == "_position") return {name, {{"P", {3}, "m"}}};
   if (what == "_velocity") return {name, {{"v", {3}, "m/s"}}};

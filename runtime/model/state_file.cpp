@@ -99,17 +99,7 @@ json parse(std::string_view text, const std::string& file) {
   }
 }
 
-// What the blocks are called by their bodies; empty where that is the same, or the name of two.
-std::vector<std::string> names_by_body(const scene::Scene& scene, const Layout& layout) {
-  std::vector<std::string> names;
-  for (const Block& block : layout.blocks) names.push_back(scene::name_by_body(scene, block.name));
-  const std::vector<std::string> all = names;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == layout.blocks[i].name || std::count(all.begin(), all.end(), all[i]) > 1) names[i].clear();
-  return names;
-}
-
-std::vector<double> read_part(const Field& root, const scene::Scene& scene, const Layout& layout, bool needed) {
+std::vector<double> read_part(const Field& root, const Layout& layout, bool needed) {
   std::vector<double> numbers;
   const std::string summary = summary_of(layout);
   if (!root.has(layout.name)) {
@@ -117,19 +107,16 @@ std::vector<double> read_part(const Field& root, const scene::Scene& scene, cons
     return numbers;
   }
   const Field part = root.at(layout.name);
-  const std::vector<std::string> by_body = names_by_body(scene, layout);
   std::vector<std::string> known;
-  for (const Block& block : layout.blocks) known.push_back(block.name);
-  for (const std::string& name : by_body)
-    if (!name.empty()) known.push_back(name);
+  for (const Block& block : layout.blocks) known.insert(known.end(), {block.name, block.numbered});
   part.only(known, summary);
-  for (std::size_t i = 0; i < by_body.size(); ++i) {
-    const Block& block = layout.blocks[i];
-    const bool has_number = part.has(block.name), has_body = !by_body[i].empty() && part.has(by_body[i]);
-    if (has_number && has_body)
-      part.refuse("\"" + block.name + "\" and \"" + by_body[i] + "\", which are one", "one of them");
-    if (!has_number && !has_body) part.refuse("no field \"" + block.name + "\"", summary);
-    part.at(has_number ? block.name : by_body[i]).append_numbers(block, numbers);
+  for (const Block& block : layout.blocks) {
+    const bool is_one = block.name == block.numbered, has = part.has(block.name);
+    const bool has_number = !is_one && part.has(block.numbered);
+    if (has && has_number)
+      part.refuse("\"" + block.numbered + "\" and \"" + block.name + "\", which are one", "one of them");
+    if (!has && !has_number) part.refuse("no field \"" + block.name + "\"", summary);
+    part.at(has ? block.name : block.numbered).append_numbers(block, numbers);
   }
   return numbers;
 }
@@ -151,7 +138,8 @@ std::vector<double> read_named(const Field& root, const std::string& name, const
 
 std::vector<std::string> normalise(const scene::Scene& scene, const std::string& file, std::vector<double>& x) {
   std::vector<std::string> notes;
-  const auto field = [&](int body) { return file + ": x.eps_" + std::to_string(body) + ": "; };
+  const std::vector<std::string> words = scene::body_words(scene);
+  const auto field = [&](int body) { return file + ": x.eps_" + words[static_cast<std::size_t>(body - 1)] + ": "; };
   const UnitNorm norm = to_unit_norm(scene::Layout(scene), x);
   if (norm.zero > 0)
     throw InputError(field(norm.zero) + "found norm 0; allowed: Euler parameters, of which one is not zero");
@@ -184,9 +172,9 @@ ReadState read_state(std::string_view text, const std::string& file, const scene
   ReadState result;
   State& state = result.state;
   if (root.has("t")) state.t = root.at("t").number();
-  state.x = read_part(root, scene, coordinates_layout(scene), true);
-  state.y = read_part(root, scene, speeds_layout(scene), needs.y);
-  state.ydot = read_part(root, scene, speed_rates_layout(scene), needs.ydot);
+  state.x = read_part(root, coordinates_layout(scene), true);
+  state.y = read_part(root, speeds_layout(scene), needs.y);
+  state.ydot = read_part(root, speed_rates_layout(scene), needs.ydot);
   state.parameters = read_named(root, "parameters", scene.parameters);
   state.inputs = read_named(root, "inputs", scene.inputs);
   result.notes = normalise(scene, file, state.x);

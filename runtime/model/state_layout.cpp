@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
+
+#include "generator/scene/entry_names.hpp"
 
 namespace kanec {
 namespace {
@@ -55,6 +58,11 @@ std::vector<Block> blocks(const scene::Scene& scene, const Letters& letters, boo
   for (int k = 1; k <= size(scene); ++k)
     append(result, scene.bodies[static_cast<std::size_t>(k - 1)].joint.slides, wanted, name(letters.slide, k),
            letters.slide.unit);
+  const std::vector<std::string> words = scene::body_words(scene);
+  for (Block& block : result) {
+    block.numbered = block.name;
+    block.name = scene::in_words(block.name, words);
+  }
   return result;
 }
 
@@ -62,7 +70,7 @@ Layout of_state(const scene::Scene& scene, const std::string& name, const Letter
   return {name, blocks(scene, letters, true)};
 }
 
-// "eps" and 12 of "eps_12"; components stay with the body: "s" and "2_1" of "s_2_1".
+// "eps" and "12" of "eps_12", "hub" of "eps_hub"; components stay with the body: "s" and "2_1" of "s_2_1".
 std::pair<std::string, std::string> split(const std::string& name) {
   const std::size_t at = name.find('_');
   return {name.substr(0, at), name.substr(at + 1)};
@@ -90,11 +98,11 @@ std::vector<Group> groups(const Layout& layout) {
   return list;
 }
 
-// "1 to 6" where they follow one another, else all of them.
+// "from 1 to 6" where they are numbers that follow one another, else all of them.
 std::string range(const std::vector<std::string>& bodies) {
-  const bool component = bodies[0].find('_') != std::string::npos;
+  const bool number = bodies[0].find_first_not_of("0123456789") == std::string::npos;
   for (std::size_t i = 1; i < bodies.size(); ++i)
-    if (component || bodies[i] != std::to_string(std::stoi(bodies[0]) + static_cast<int>(i)))
+    if (!number || bodies[i] != std::to_string(std::stoi(bodies[0]) + static_cast<int>(i)))
       return fmt::format("= {}", fmt::join(bodies, ", "));
   return "from " + bodies.front() + " to " + bodies.back();
 }
@@ -141,7 +149,7 @@ std::vector<std::string> tangent_names(const scene::Scene& scene) {
     const auto [letter, rest] = split(speed);
     names.push_back((letter == "omega" ? "phi_" : letter == "thetadot" ? "theta_" : "s_") + rest);
   }
-  return names;
+  return in_words(scene, std::move(names));
 }
 
 }  // namespace kanec

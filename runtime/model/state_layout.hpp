@@ -10,7 +10,7 @@
 
 namespace kanec {
 
-// A block a body and kind where all of its components are in the state ("eps_1", "s_1"; "theta_3" is a number where
+// A block a body and kind where all of its components are in the state ("eps_hub", "s_1"; "theta_3" is a number where
 // there is one angle), else a number each ("s_2_2", where s_2_1 is locked or prescribed).
 Layout coordinates_layout(const scene::Scene& scene);                              // x
 Layout speeds_layout(const scene::Scene& scene);                                   // y

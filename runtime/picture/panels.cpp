@@ -23,10 +23,12 @@ constexpr std::array<Heading, 6> headings = {{{"Euler parameters", "ε [-]"},
                                               {"angular rates", "dθ/dt [rad/s]"},
                                               {"translation rates", "ds/dt [m/s]"}}};
 
-void add(std::array<Panel, 6>& by_kind, const std::string& name, std::size_t entry) {
-  const Component component = component_of(name);
+void add(std::array<Panel, 6>& by_kind, const StateNames& names, const std::string& name, std::size_t entry) {
+  const Component component = component_of(name, names.bodies);
+  const std::string body = names.bodies.empty() ? std::to_string(component.body)
+                                                : names.bodies[static_cast<std::size_t>(component.body - 1)];
   Panel& panel = by_kind[static_cast<std::size_t>(component.kind)];
-  panel.curves.push_back({entry, component.body, component.component, name});
+  panel.curves.push_back({entry, component.body, component.component, name, "body " + body});
   if (panel.bodies.empty() || panel.bodies.back() != component.body) panel.bodies.push_back(component.body);
 }
 
@@ -63,8 +65,8 @@ std::vector<Panel> panels(const StateNames& names) {
   std::array<Panel, 6> by_kind;
   for (std::size_t kind = 0; kind < by_kind.size(); ++kind)
     by_kind[kind] = {headings[kind].title, headings[kind].axis, {}, {}};
-  for (std::size_t i = 0; i < names.coordinates.size(); ++i) add(by_kind, names.coordinates[i], i);
-  for (std::size_t i = 0; i < names.speeds.size(); ++i) add(by_kind, names.speeds[i], names.coordinates.size() + i);
+  for (std::size_t i = 0; i < names.coordinates.size(); ++i) add(by_kind, names, names.coordinates[i], i);
+  for (std::size_t i = 0; i < names.speeds.size(); ++i) add(by_kind, names, names.speeds[i], names.coordinates.size() + i);
   std::vector<Panel> result;
   for (std::size_t kind = 0; kind < 3; ++kind)
     if (!by_kind[kind].curves.empty()) result.insert(result.end(), {by_kind[kind], by_kind[kind + 3]});
@@ -82,7 +84,7 @@ std::string look(const Panel& panel, const Curve& curve) {
 std::string legend(const Panel& panel, const Curve& curve) {
   if (panel.curves.size() <= most_names) return curve.name;
   const bool named = panel.bodies.size() <= most_names && is_first_of_its_body(panel, curve);
-  return named ? "body " + std::to_string(curve.body) : "";
+  return named ? curve.body_name : "";
 }
 
 std::string legend_note(const Panel& panel) {
@@ -92,8 +94,8 @@ std::string legend_note(const Panel& panel) {
   std::string note = std::array{"", "1 solid, 2 dashed", "1 solid, 2 dashed, 3 dotted",
                                 "1 solid, 2 dashed, 3 dotted, 4 dash-dotted"}[static_cast<std::size_t>(dashes - 1)];
   if (panel.bodies.size() > most_names)
-    note += std::string(note.empty() ? "" : "; ") + "body " + std::to_string(panel.bodies.front()) + " blue … " +
-            std::to_string(panel.bodies.back()) + " red";
+    note += std::string(note.empty() ? "" : "; ") + panel.curves.front().body_name + " blue … " +
+            panel.curves.back().body_name.substr(std::string_view("body ").size()) + " red";
   return note.empty() ? "" : " (" + note + ")";
 }
 

@@ -13,7 +13,7 @@ namespace kanec {
 struct Curve {
   std::size_t entry;  // of (x, y), from 0
   int body, component;
-  std::string name;
+  std::string name, body_name;
 };
 
 // All components of one kind, body by body.

@@ -3,7 +3,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <memory>
 #include <set>
 #include <span>
@@ -106,24 +105,10 @@ py::dict dict_of(const std::vector<Quantity>& quantities) {
   return dict;
 }
 
-void set_values(Evaluator& evaluator, const Scene& scene) {
-  const auto chosen = [](const std::vector<Quantity>& all, const std::vector<Quantity>& kept) {
-    std::vector<double> values;
-    for (const Quantity& one : kept)
-      values.push_back(
-          std::find_if(all.begin(), all.end(), [&](const Quantity& q) { return q.name == one.name; })->value);
-    return values;
-  };
-  evaluator.set_parameters(chosen(scene.parameters(), evaluator.model().parameters()));
-  evaluator.set_inputs(chosen(scene.inputs(), evaluator.model().inputs()));
-}
-
 py::object make_model(const Scene& scene, const Model& model, const Emission& emission, const Compilation& compilation,
                       int threads) {
-  Evaluator evaluator(model);
-  set_values(evaluator, scene);
   auto shared = std::make_shared<CompiledScene>(CompiledScene{
-      std::move(evaluator), std::make_shared<Batches>(scene, emission, compilation, threads), {}, {}, threads});
+      Evaluator(model), std::make_shared<Batches>(scene, emission, compilation, threads), {}, {}, threads});
   for (const auto& list : {model.parameters(), model.inputs()})
     for (const Quantity& quantity : list) {
       shared->value_numbers[py::str(quantity.name)] = shared->value_names.size();

@@ -17,9 +17,6 @@ namespace py = pybind11;
 py::object make_model(const Scene& scene, const Model& model, const Emission& emission, const Compilation& compilation,
                       int threads);
 
-// Sets those of the scene's parameters and inputs that the model has.
-void set_values(Evaluator& evaluator, const Scene& scene);
-
 py::dict dict_of(const std::vector<Quantity>& quantities);
 
 // kanec.Model

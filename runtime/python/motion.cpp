@@ -106,8 +106,7 @@ py::object simulated(const Scene& scene, const py::object& x, const py::object& 
     emission.functions = scene.functions_to_simulate(run);
     emission.taylor = needs_taylor(run);
     compilation.poll = watch_for_signals();
-    Evaluator evaluator(scene.compile(emission, compilation));
-    set_values(evaluator, scene);
+    const Evaluator evaluator(scene.compile(emission, compilation));
     Motion motion = simulate(evaluator, x_0, y_0, run, [poll = compilation.poll](double) { poll(); });
     made = std::make_shared<NamedMotion>(NamedMotion{std::move(motion), evaluator.model(), {}});
     for (const Happening& one : made->motion.happenings)

@@ -44,16 +44,19 @@ std::vector<std::string_view> full_lines(std::string_view text) {
   return lines;
 }
 
-// By the first column that differs.
-void check_header(std::string_view found, std::string_view allowed, const std::string& file, const std::string& model) {
-  const std::vector<std::string_view> there = split(found, ','), wanted = split(allowed, ',');
+// By the first column that is called neither by its body nor by the body's number.
+void check_header(std::string_view found, const StateNames& names, const StateNames& numbered, const std::string& file,
+                  const std::string& model) {
+  const std::string by_body = csv_header(names, true), by_number = csv_header(numbered, true);
+  const std::vector<std::string_view> there = split(found, ','), wanted = split(by_body, ','),
+                                      other = split(by_number, ',');
   const std::string trajectory = " of a trajectory of " + model;
   for (std::size_t i = 0; i < std::max(there.size(), wanted.size()); ++i) {
     const std::string column = "column " + std::to_string(i + 1);
     if (i == there.size()) refuse(file, 1, "no " + column, scene::in_quotes(wanted[i]) + trajectory);
     if (i == wanted.size())
       refuse(file, 1, scene::in_quotes(there[i]) + " in " + column, std::to_string(i) + " columns" + trajectory);
-    if (there[i] != wanted[i])
+    if (there[i] != wanted[i] && there[i] != other[i])
       refuse(file, 1, scene::in_quotes(there[i]) + " in " + column, scene::in_quotes(wanted[i]) + trajectory);
   }
 }
@@ -74,10 +77,12 @@ Resumed of_row(const std::vector<double>& row, const scene::Scene& scene, const 
 
 Resumed read_trajectory(std::string_view text, const std::string& file, const scene::Scene& scene) {
   const StateNames names = trajectory_names(scene);
-  const std::string header = csv_header(names, true);
+  StateNames numbered = names;
+  numbered.coordinates = coordinate_names(scene);
+  numbered.speeds = speed_names(scene);
   const std::vector<std::string_view> lines = full_lines(text);
   if (lines.empty()) refuse(file, 1, "no full line", "the header of a trajectory of " + scene.name);
-  check_header(lines[0], header, file, scene.name);
+  check_header(lines[0], names, numbered, file, scene.name);
   if (lines.size() < 2) refuse(file, 2, "no full row", "at least one");
   std::vector<double> row;
   for (std::size_t i = 1; i < lines.size(); ++i) {

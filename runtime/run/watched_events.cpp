@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/scene/component.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec {
@@ -41,8 +42,14 @@ std::vector<Event> watched_events(const scene::Scene& scene) {
   return list;
 }
 
+StateNames state_names(const scene::Scene& scene) {
+  StateNames names{in_words(scene, coordinate_names(scene)), in_words(scene, speed_names(scene))};
+  names.bodies = body_words(scene);
+  return names;
+}
+
 StateNames trajectory_names(const scene::Scene& scene) {
-  StateNames names{coordinate_names(scene), speed_names(scene)};
+  StateNames names = state_names(scene);
   for (int i = 0; i < static_cast<int>(scene.inputs.size()); ++i) {
     const bool is_set = std::any_of(scene.events.begin(), scene.events.end(), [i](const scene::Event& event) {
       return std::any_of(event.settings.begin(), event.settings.end(), [i](const auto& s) { return s.input == i; });

@@ -14,7 +14,9 @@ namespace kanec {
 
 std::vector<integrate::Event> watched_events(const scene::Scene& scene);
 
-// Coordinates, speeds, and the inputs that events set: the columns of a trajectory.
+// Coordinates and speeds as they are printed.
+StateNames state_names(const scene::Scene& scene);
+// With the inputs that events set: the columns of a trajectory.
 StateNames trajectory_names(const scene::Scene& scene);
 
 // One line an event that happened, at most `most`, then how many more; empty where none was watched for.

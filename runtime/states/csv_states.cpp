@@ -90,11 +90,11 @@ class CsvStates : public StateSource {
   }
 
   void require(Among among, bool needed) const {
-    for (std::size_t i = 0; needed && i < names_.numbered(among).size(); ++i) {
+    for (std::size_t i = 0; needed && i < names_.printed(among).size(); ++i) {
       const bool is_there = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
         return column.entry && column.entry->among == among && column.entry->index == static_cast<int>(i);
       });
-      if (!is_there) refuse(place(), "no column " + names_.numbered(among)[i], "a column for each that the function reads");
+      if (!is_there) refuse(place(), "no column " + names_.printed(among)[i], "a column for each that the function reads");
     }
   }
 

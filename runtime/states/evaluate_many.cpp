@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "generator/scene/entry_names.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/model/evaluate.hpp"
 #include "runtime/model/settings.hpp"
@@ -58,7 +59,7 @@ ManyStates evaluate_many(const scene::Scene& scene, StateSource& states, ResultS
   while (states.next(state)) {
     const UnitNorm norm = to_unit_norm(layout, state.x);
     if (norm.zero > 0)
-      throw InputError(states.place() + ": eps_" + std::to_string(norm.zero) +
+      throw InputError(states.place() + ": eps_" + scene::body_words(scene)[static_cast<std::size_t>(norm.zero - 1)] +
                        ": found norm 0; allowed: Euler parameters, of which one is not zero");
     many.normalised += norm.off.empty() ? 0 : 1;
     if (has_values) check_values(scene, state, states.place());

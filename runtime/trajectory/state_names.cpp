@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <utility>
 
 #include "runtime/base/error.hpp"
 
@@ -19,42 +21,46 @@ struct Known {
 constexpr std::array<Known, 6> known = {
     {{"eps", ""}, {"theta", "rad"}, {"s", "m"}, {"omega", "rad/s"}, {"thetadot", "rad/s"}, {"sdot", "m/s"}}};
 
-std::vector<std::string> list(const char* const* names, int count) { return {names, names + count}; }
-
 [[noreturn]] void refuse(std::string_view name) {
   throw InternalError("'" + std::string(name) + "' is no component of a state");
 }
 
-// The number behind the next '_', taken off the text.
-int number(std::string_view& text, std::string_view name) {
+// All of it is one, from 1.
+std::optional<int> number(std::string_view text) {
   int value = 0;
-  if (text.empty() || text.front() != '_') refuse(name);
-  text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || value < 1) refuse(name);
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (error != std::errc() || value < 1 || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+// From 1; a number where bodies have no words.
+std::optional<int> body_of(std::string_view word, const std::vector<std::string>& bodies) {
+  if (bodies.empty()) return number(word);
+  const auto found = std::find(bodies.begin(), bodies.end(), word);
+  if (found == bodies.end()) return std::nullopt;
+  return static_cast<int>(found - bodies.begin()) + 1;
+}
+
+// The letter of a name, and what is behind its '_'.
+std::pair<Kind, std::string_view> split_name(std::string_view name) {
+  const std::size_t at = std::min(name.find('_'), name.size());
+  for (std::size_t kind = 0; kind < known.size(); ++kind)
+    if (at < name.size() && name.substr(0, at) == known[kind].letter) return {static_cast<Kind>(kind), name.substr(at + 1)};
+  refuse(name);
 }
 
 }  // namespace
 
-StateNames state_names(const kanec_model& model) {
-  return {list(model.coordinate_names, model.nx), list(model.speed_names, model.ny)};
+Component component_of(std::string_view name, const std::vector<std::string>& bodies) {
+  const auto [kind, rest] = split_name(name);
+  if (const auto body = body_of(rest, bodies)) return {kind, *body, 1};
+  const std::size_t at = rest.rfind('_');
+  if (at == rest.npos) refuse(name);
+  const auto body = body_of(rest.substr(0, at), bodies), component = number(rest.substr(at + 1));
+  if (!body || !component) refuse(name);
+  return {kind, *body, *component};
 }
 
-Component component_of(std::string_view name) {
-  std::string_view rest = name.substr(std::min(name.find('_'), name.size()));
-  const std::string_view letter = name.substr(0, name.size() - rest.size());
-  for (std::size_t kind = 0; kind < known.size(); ++kind) {
-    if (letter != known[kind].letter) continue;
-    Component component{static_cast<Kind>(kind), number(rest, name), 1};
-    if (!rest.empty()) component.component = number(rest, name);
-    if (!rest.empty()) refuse(name);
-    return component;
-  }
-  refuse(name);
-}
-
-std::string_view unit_of(Kind kind) { return known[static_cast<std::size_t>(kind)].unit; }
+std::string_view unit_of(std::string_view name) { return known[static_cast<std::size_t>(split_name(name).first)].unit; }
 
 }  // namespace kanec

@@ -6,19 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/abi/abi.h"
-
 namespace kanec {
 
-// In state order: "eps_1_1", "theta_3", "s_2_1"; "omega_1_1", "thetadot_3", "sdot_2_1". And the inputs that change in
-// the run, with their places among all.
+// In state order: "eps_1_1", "theta_elbow", "s_2_1"; "omega_1_1", "thetadot_elbow", "sdot_2_1". And the inputs that
+// change in the run, with their places among all.
 struct StateNames {
   std::vector<std::string> coordinates, speeds;
   std::vector<std::string> inputs = {};
   std::vector<int> input_indices = {};
+  std::vector<std::string> bodies = {};  // what stands for each body in the names; empty: their numbers
 };
-
-StateNames state_names(const kanec_model& model);
 
 // The six kinds of components: coordinates, and below each the speeds that move it.
 enum class Kind { eps, theta, s, omega, thetadot, sdot };
@@ -29,10 +26,10 @@ struct Component {
   int component;  // from 1; 1 where it is the only one
 };
 
-// Throws InternalError for what is no such name.
-Component component_of(std::string_view name);
+// Of "theta_elbow", or "theta_3", or "s_2_1"; bodies: as of StateNames. Throws InternalError for what is no such name.
+Component component_of(std::string_view name, const std::vector<std::string>& bodies);
 
-// "rad/s"; empty for Euler parameters.
-std::string_view unit_of(Kind kind);
+// "rad/s" of "thetadot_elbow"; empty for Euler parameters.
+std::string_view unit_of(std::string_view name);
 
 }  // namespace kanec

@@ -13,7 +13,7 @@ using namespace integrate;
 namespace {
 
 std::string column(const std::string& name) {
-  const std::string unit(unit_of(component_of(name).kind));
+  const std::string unit(unit_of(name));
   return "," + name + (unit.empty() ? "" : "[" + unit + "]");
 }
 

@@ -99,6 +99,25 @@ TEST(FrontScene, simulates_with_its_values) {
   EXPECT_THAT(refusal<InputError>([&] { scene.simulate(run, shared_cache()); }), HasSubstr("euler"));
 }
 
+TEST(FrontScene, what_is_compiled_has_its_values) {
+  const Scene scene = shipped("cart_pole").with({{"push", 5}});
+  const Emission emission{.functions = {"accelerations"}};
+  const Model model = scene.compile(emission, shared_cache());
+  EXPECT_EQ(model.inputs()[0].value, 5);
+  const std::vector<double> x{0.1, 0.2}, y{0.3, 0.4};
+  const std::vector<double> pushed = Evaluator(model).evaluate("accelerations", {.x = x, .y = y});
+  Evaluator still(shipped("cart_pole").compile(emission, shared_cache()));
+  EXPECT_NE(still.evaluate("accelerations", {.x = x, .y = y}), pushed);
+  still.set_input("push", 5);
+  EXPECT_EQ(still.evaluate("accelerations", {.x = x, .y = y}), pushed);
+  Batch batch = scene.compile_batch(emission, shared_cache(), 1);
+  EXPECT_EQ(batch.model().inputs()[0].value, 5);
+  std::vector<double> one(2);
+  batch.evaluate(batch.model().function("accelerations"), StatesView<double>{.count = 1, .x = x, .y = y}, one);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(one[i], pushed[i], 1e-14);
+  EXPECT_THAT(refusal<InputError>([&] { model.with({{"push", NAN}}); }), HasSubstr("push: found nan"));
+}
+
 TEST(FrontScene, a_scene_that_goes_away_after_reading_is_of_no_concern) {
   const Folder folder;
   std::filesystem::copy(std::filesystem::path(KANEC_SOURCE_DIR) / "models" / "pendulum" / "scene.toml", folder.path() / "scene.toml");

@@ -48,14 +48,22 @@ TEST(Trajectory, of_any_joints_has_their_names_and_units) {
 }
 
 TEST(StateNames, tell_kind_body_and_component) {
-  const Component wrist = component_of("thetadot_12_3"), slide = component_of("s_4");
+  const Component wrist = component_of("thetadot_12_3", {}), slide = component_of("s_4", {});
   EXPECT_EQ(wrist.kind, Kind::thetadot);
   EXPECT_EQ(wrist.body, 12);
   EXPECT_EQ(wrist.component, 3);
   EXPECT_EQ(slide.kind, Kind::s);
   EXPECT_EQ(slide.component, 1);
   for (const char* name : {"", "eps", "eps_", "phi_1", "s_0", "s_x", "s_1_", "s_1_2_3", "theta_1x"})
-    EXPECT_THROW(component_of(name), InternalError) << name;
+    EXPECT_THROW(component_of(name, {}), InternalError) << name;
+  const std::vector<std::string> bodies = {"1", "arm", "leg_2"};
+  const Component leg = component_of("theta_leg_2", bodies), arm = component_of("omega_arm_2", bodies);
+  EXPECT_TRUE(leg.body == 3 && leg.component == 1);
+  EXPECT_TRUE(arm.body == 2 && arm.component == 2);
+  EXPECT_EQ(component_of("eps_1_4", bodies).component, 4);
+  EXPECT_EQ(unit_of("sdot_arm"), "m/s");
+  for (const char* name : {"s_2", "s_leg", "s_leg_2_x", "theta_arm_0"})
+    EXPECT_THROW(component_of(name, bodies), InternalError) << name;
 }
 
 TEST(Trajectory, reads_back_to_the_last_bit) {

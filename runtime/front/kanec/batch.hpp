@@ -38,8 +38,8 @@ class KANEC_API Batch {
  public:
   // A shared library of a batch. threads: in all, 0: one a processor. Throws FileError, LoadError.
   static Batch load(const std::filesystem::path& library, int threads = 0);
-  // A batch that something else keeps loaded, at least as long as `owner`.
-  Batch(const kanec_batch& batch, std::shared_ptr<const void> owner, int threads);
+  // A batch that something else keeps loaded as long as `model`, which is the batch's.
+  Batch(const kanec_batch& batch, Model model, int threads);
   Batch(Batch&&) noexcept;
   Batch& operator=(Batch&&) noexcept;
   ~Batch();

@@ -60,6 +60,8 @@ class KANEC_API Model {
   // Those that its functions read, with their defaults.
   std::vector<Quantity> parameters() const;
   std::vector<Quantity> inputs() const;
+  // The same with other defaults; what its functions do not read is left out. Throws InputError for what is not finite.
+  Model with(const std::vector<Quantity>& values) const;
   std::vector<Function> functions() const;
   bool has(std::string_view function) const;
   // "accelerations"; "kinematics+accelerations" as well as "kinematics_and_accelerations". Throws InputError, which names
@@ -71,6 +73,7 @@ class KANEC_API Model {
  private:
   const kanec_model* model_;
   std::shared_ptr<const void> owner_;
+  std::vector<Quantity> parameters_, inputs_;
 };
 
 // A model with values of its parameters and inputs. evaluate() may be called from several threads at once while none calls

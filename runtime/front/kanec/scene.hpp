@@ -117,7 +117,7 @@ class KANEC_API Scene {
   std::string derive(const std::string& format = "text") const;
   // Throws InputError for what cannot be emitted.
   std::vector<File> generate(const Emission& emission = {}) const;
-  // From the cache where it was compiled before. Throws InputError, BuildError, LoadError.
+  // From the cache where it was compiled before, with the scene's values of parameters and inputs. Throws InputError, BuildError, LoadError.
   Model compile(const Emission& emission = {}, const Compilation& compilation = {}) const;
   // scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
   Batch compile_batch(const Emission& emission = {}, const Compilation& compilation = {}, int threads = 0,
