@@ -56,8 +56,14 @@ Generated generate(const scene::Scene& scene, const GenerateOptions& options) {
   // places
   const std::string mark = "@model-hash-mark";
   const std::string source = scene.source.empty() ? "" : "@model-source-mark";
-  const emit::Model model{&scene,           version(),           mark, options_text(scene, options), source,
-                          options.optimize, options.longest_line,      options.lengths,
+  const emit::Model model{&scene,
+                          version(),
+                          mark,
+                          options_text(scene, options),
+                          source,
+                          options.optimize,
+                          options.longest_line,
+                          options.lengths,
                           options.language};
   std::string header = emit::emit_header(model, program);
   std::string abi = is_c ? "" : emit::emit_abi(model, program);

@@ -21,7 +21,7 @@ struct GenerateOptions {
   std::optional<symbolic::Algorithm> algorithm = {};  // of accelerations; none: the cheapest by count
   emit::Optimize optimize = emit::Optimize::speed;
   int longest_line = emit::Model{}.longest_line;
-  bool with_taylor = false;  // Generated::taylor
+  bool with_taylor = false;                                // Generated::taylor
   std::function<void(const std::string& note)> tell = {};  // gets notes for the user, as soon as they are known
   emit::Lengths lengths = {};
   emit::Language language = emit::Language::cpp;  // in C the header alone
@@ -37,8 +37,8 @@ struct Generated {
   std::string taylor;  // <name>_taylor.hpp, where asked for and the functions have all rates in one
 };
 
-// Throws InputError for a function that the scene does not have, for a scene whose A is singular where it begins, and for a
-// Taylor series in C.
+// Throws InputError for a function that the scene does not have, for a scene whose A is singular where it begins, and
+// for a Taylor series in C.
 Generated generate(const scene::Scene& scene, const GenerateOptions& options = {});
 
 // Held by whoever derives: GiNaC counts references without a lock, so that derivations of several threads take turns.

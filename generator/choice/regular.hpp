@@ -6,8 +6,9 @@
 
 namespace kanec {
 
-// Throws InputError that names a coordinate which can change without moving any mass, or as others already do: a massless
-// body on a hinge, aligned axes of a gimbal. Judged at the initial state with the defaults of the parameters, t = 0.
+// Throws InputError that names a coordinate which can change without moving any mass, or as others already do: a
+// massless body on a hinge, aligned axes of a gimbal. Judged at the initial state with the defaults of the parameters,
+// t = 0.
 void check_regular(const scene::Scene& scene);
 
 }  // namespace kanec

@@ -38,8 +38,8 @@ struct Fault {
 // None where all parts of the request are available and different.
 std::optional<Fault> fault_of(const std::string& request, const std::vector<Available>& available);
 
-// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, or SceneError
-// with the place in the scene, for one that the scene does not have; each part of a combination counts.
+// The names to emit: those given, else those that the scene names, else the usual ones. Throws InputError, or
+// SceneError with the place in the scene, for one that the scene does not have; each part of a combination counts.
 std::vector<std::string> requested_functions(const scene::Scene& scene, const std::vector<std::string>& names);
 
 // Derived and lowered, unsimplified; in one way (candidates.hpp finds the cheapest).

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-
 namespace kanec::emit {
 namespace {
 
@@ -62,9 +61,8 @@ std::string Angles::calls(const Syntax& syntax, const std::string& owner) const 
 }
 
 bool takes_turns(const Model& model, const program::Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(), [&](const auto& function) {
-    return !Angles(program, function, model.optimize).empty();
-  });
+  return std::any_of(program.functions.begin(), program.functions.end(),
+                     [&](const auto& function) { return !Angles(program, function, model.optimize).empty(); });
 }
 
 std::string small_cos_sin(const Model& model, const program::Program& program) {
@@ -73,8 +71,9 @@ std::string small_cos_sin(const Model& model, const program::Program& program) {
   const std::string real = syntax.scalar();
   return "// c = cos(a), s = sin(a) for n angles\n" +
          syntax.opening("void", "cos_sin", "const " + real + "* a, int n, " + real + "* c, " + real + "* s", {}) +
-         (syntax.is_c() ? "" : "  using std::cos, std::sin;\n") + "  for (int i = 0; i < n; ++i) {\n    c[i] = " +
-         syntax.call("cos") + "(a[i]);\n    s[i] = " + syntax.call("sin") + "(a[i]);\n  }\n}\n\n";
+         (syntax.is_c() ? "" : "  using std::cos, std::sin;\n") +
+         "  for (int i = 0; i < n; ++i) {\n    c[i] = " + syntax.call("cos") +
+         "(a[i]);\n    s[i] = " + syntax.call("sin") + "(a[i]);\n  }\n}\n\n";
 }
 
 }  // namespace kanec::emit

@@ -38,8 +38,8 @@ class Angles {
 // Whether any function calls cos_sin().
 bool takes_turns(const Model& model, const program::Program& program);
 
-// A cos_sin() of the model's own that is a loop over the library's functions, where code is to be small and functions call
-// one; else empty.
+// A cos_sin() of the model's own that is a loop over the library's functions, where code is to be small and functions
+// call one; else empty.
 std::string small_cos_sin(const Model& model, const program::Program& program);
 
 }  // namespace kanec::emit

@@ -1,5 +1,5 @@
-// What stands around the functions of an emitted C header: its guard, the scalar, the library's functions by it. Not: the
-// functions.
+// What stands around the functions of an emitted C header: its guard, the scalar, the library's functions by it. Not:
+// the functions.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

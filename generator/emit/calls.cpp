@@ -83,9 +83,9 @@ std::string comparisons(const program::Program& program, const Syntax& syntax) {
   text += syntax.is_c() ? "\n" : ". Scalars whose comparison gives no bool bring their own.\n";
   for (const std::string& function : functions_called(program))
     if (is_comparison(function))
-      text += (syntax.is_c() ? "static inline " : "template <class T>\nconstexpr ") + real + " " + syntax.call(function) +
-              "(" + argument + "a, " + argument + "b) " + (syntax.is_c() ? "" : "noexcept ") + "{\n  return " +
-              (function == "min" ? "b < a" : "a < b") + " ? b : a;\n}\n";
+      text += (syntax.is_c() ? "static inline " : "template <class T>\nconstexpr ") + real + " " +
+              syntax.call(function) + "(" + argument + "a, " + argument + "b) " + (syntax.is_c() ? "" : "noexcept ") +
+              "{\n  return " + (function == "min" ? "b < a" : "a < b") + " ? b : a;\n}\n";
   return text + "\n";
 }
 

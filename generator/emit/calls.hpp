@@ -10,8 +10,8 @@
 
 namespace kanec::emit {
 
-// "  using std::cos, std::sin;\n" for the marked nodes of this stage, so that a scalar's own functions are found as well;
-// empty where none is called, and in C.
+// "  using std::cos, std::sin;\n" for the marked nodes of this stage, so that a scalar's own functions are found as
+// well; empty where none is called, and in C.
 std::string usings(const program::Program& program, const std::vector<bool>& wanted,
                    const std::vector<program::Stage>& stages, program::Stage stage, const Syntax& syntax);
 

@@ -23,8 +23,9 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& lis
 constexpr std::array<std::string_view, 8> qualifiers = {"const",    "static",   "constexpr", "inline",
                                                         "typename", "unsigned", "extern",    "KANEC_APART"};
 constexpr std::array<std::string_view, 8> types = {"void", "bool", "char", "short", "int", "float", "double", "auto"};
-constexpr std::array<std::string_view, 13> statements = {"return", "case",   "default", "break",  "else", "if",   "switch",
-                                                         "new",    "delete", "sizeof",  "public", "private", "noexcept"};
+constexpr std::array<std::string_view, 13> statements = {"return", "case",    "default", "break",  "else",
+                                                         "if",     "switch",  "new",     "delete", "sizeof",
+                                                         "public", "private", "noexcept"};
 constexpr std::array<std::string_view, 5> value_words = {"true", "false", "nullptr", "this", "static_cast"};
 
 class Reader {
@@ -301,8 +302,10 @@ class Reader {
         expression("]");
         expect("]");
       }
-      if (take("=")) expression(",");
-      else if (is("{")) braces();
+      if (take("="))
+        expression(",");
+      else if (is("{"))
+        braces();
       pending_.clear();  // of a variable template
       declare(name);
     } while (take(","));
@@ -399,9 +402,9 @@ class Reader {
   std::vector<Token> list_;
   std::size_t at_ = 0;
   std::vector<NameSet> scopes_;
-  NameSet pending_;  // parameters of the template that follows
+  NameSet pending_;                                        // parameters of the template that follows
   std::unordered_map<std::string_view, NameSet> members_;  // of namespaces and types
-  NameSet set_;      // fields of `shared`
+  NameSet set_;                                            // fields of `shared`
   std::string_view function_;
 };
 

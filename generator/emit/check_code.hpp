@@ -1,5 +1,5 @@
-// Emitted code read again before anybody gets it: every name is declared once in its scope, and before its use. Not: C++ as
-// such; the compiler reads that.
+// Emitted code read again before anybody gets it: every name is declared once in its scope, and before its use. Not:
+// C++ as such; the compiler reads that.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace kanec::emit {
 
-// code: whole declarations. around: names that they may use besides their own, such as the structs of the model. Between
-// the pieces of a long function what one of them reads of `shared` another one before it must have set, once. Throws
-// InternalError that tells the name: a fault of the generator.
+// code: whole declarations. around: names that they may use besides their own, such as the structs of the model.
+// Between the pieces of a long function what one of them reads of `shared` another one before it must have set, once.
+// Throws InternalError that tells the name: a fault of the generator.
 void check_code(std::string_view code, const std::vector<std::string>& around);
 
 }  // namespace kanec::emit

@@ -1,5 +1,5 @@
-// Places that a section of many bodies reads or writes, as columns of a table: places that keep their distance from body
-// to body share one. Not: the text of the tables (section_text.cpp).
+// Places that a section of many bodies reads or writes, as columns of a table: places that keep their distance from
+// body to body share one. Not: the text of the tables (section_text.cpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

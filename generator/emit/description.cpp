@@ -81,8 +81,8 @@ std::string described(const Model& model, const program::Program& program, const
                    callable ? program.functions[i].name : "nullptr");
   return text + "};\n\n" + named_lists("parameter", read.parameters) + named_lists("input", read.inputs) +
          name_list("coordinate", in_words(*model.scene, coordinate_names(*model.scene))) +
-         name_list("speed", in_words(*model.scene, speed_names(*model.scene))) +
-         attitude_list(*model.scene) + patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
+         name_list("speed", in_words(*model.scene, speed_names(*model.scene))) + attitude_list(*model.scene) +
+         patterns.text + "\n" + description(model, costs.size(), patterns.size, callable);
 }
 
 std::string spread(const std::string& array, std::size_t count, const std::string& close) {

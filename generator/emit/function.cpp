@@ -33,7 +33,8 @@ class Emission {
         cost_(cost),
         named_(named),
         angles_(program, function, model.optimize),
-        statements_(program, stages, Stage::state, function.outputs, function_scope(program, function, syntax_), syntax_) {
+        statements_(program, stages, Stage::state, function.outputs, function_scope(program, function, syntax_),
+                    syntax_) {
     for (const auto& [node, name] : named.prepared) statements_.name(node, name);
     for (std::size_t i = 0; i < function.outputs.size(); ++i) places_[function.outputs[i].node].push_back(i);
     stored_.assign(function.outputs.size(), false);
@@ -47,18 +48,18 @@ class Emission {
   std::string text(const Form& form) {
     if (form.loops) return comments() + rolled_text(model_, program_, function_, *form.loops, named_);
     const bool placed = !function_.placements.empty();
-    Shape shape{
-        function_.name,
-        arguments_.parameters(),
-        arguments_.unused(),
-        arguments_.piece_parameters(),
-        arguments_.piece_unused(),
-        arguments_.values("c", "u"),
-        "",
-        "",
-        "",
-        usings(program_, angles_.others(program_, reachable(program_, function_.outputs)), stages_, Stage::state, syntax_),
-        angles_};
+    Shape shape{function_.name,
+                arguments_.parameters(),
+                arguments_.unused(),
+                arguments_.piece_parameters(),
+                arguments_.piece_unused(),
+                arguments_.values("c", "u"),
+                "",
+                "",
+                "",
+                usings(program_, angles_.others(program_, reachable(program_, function_.outputs)), stages_,
+                       Stage::state, syntax_),
+                angles_};
     if (placed) {
       block_ = shape.out_local = "block";
       shape.begin = "  " + syntax_.scalar() + " block[" + std::to_string(function_.outputs.size()) + "];\n";
@@ -101,8 +102,8 @@ class Emission {
       for (std::size_t i = first; i < end; ++i) count += is_zero(function_.outputs[i]);
       for (std::size_t i = first; i < end && count >= 8; ++i) stored_[i] = is_zero(function_.outputs[i]);
       if (count >= 8)
-        text += "  for (int i = 0; i < " + std::to_string(result.count) + "; ++i) " + result.out + "[i] = " +
-                syntax_.number("0") + ";\n";
+        text += "  for (int i = 0; i < " + std::to_string(result.count) + "; ++i) " + result.out +
+                "[i] = " + syntax_.number("0") + ";\n";
       first = end;
     }
     return text;
@@ -203,8 +204,9 @@ class Emission {
     table += "  };\n  for (int i = 0; i < " + std::to_string(function_.n_out) + "; ++i) " + out +
              "[i] = " + syntax_.number("0") + ";\n";
     const std::string place = syntax_.is_c() ? "places[place]" : "place";
-    table += syntax_.is_c() ? "  for (int place = 0; place < " + std::to_string(function_.placements.size()) + "; ++place)\n"
-                            : "  for (const auto& place : places)\n";
+    table += syntax_.is_c()
+                 ? "  for (int place = 0; place < " + std::to_string(function_.placements.size()) + "; ++place)\n"
+                 : "  for (const auto& place : places)\n";
     table += "    for (int i = 0; i < 3; ++i)\n      for (int j = 0; j < 3; ++j) " + out + "[" + place + "[1] + i * " +
              std::to_string(function_.stride) + " + j] = block[9 * " + place + "[0] + 3 * i + j];\n";
     return table;

@@ -45,7 +45,8 @@ std::string model_code(const Model& model, const program::Program& program, cons
   const Preparation preparation = emit_prepare(read, program, stages, syntax);
   std::string code = sizes(scene, read, syntax) + syntax.table("char", "model_hash", "[]") + "\"" + model.hash +
                      "\";\n\n" + state_constants(scene, syntax) + (selects(program) ? selection(syntax) : "") +
-                     comparisons(program, syntax) + small_cos_sin(model, program) + sparsity(program, syntax) + preparation.text;
+                     comparisons(program, syntax) + small_cos_sin(model, program) + sparsity(program, syntax) +
+                     preparation.text;
   for (std::size_t i = 0; i < costs.size(); ++i)
     code += "\n" + emit_function(model, program, stages, program.functions[i], costs[i], preparation.named, how[i]);
   return code;

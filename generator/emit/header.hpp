@@ -10,8 +10,8 @@
 
 namespace kanec::emit {
 
-// C++17, namespace kanec::<model>, function templates over the scalar; needs nothing but the standard library. Or C99, names
-// that begin with the model's, the scalar a macro; needs nothing but <math.h>.
+// C++17, namespace kanec::<model>, function templates over the scalar; needs nothing but the standard library. Or C99,
+// names that begin with the model's, the scalar a macro; needs nothing but <math.h>.
 std::string emit_header(const Model& model, const program::Program& program);
 
 // "<model>_abi.cpp": the header's functions in double behind the descriptor of runtime/abi/abi.h.

@@ -49,10 +49,13 @@ std::string Syntax::unused(const std::vector<std::string>& names, const std::str
 std::string Syntax::opening(const std::string& result, const std::string& name, const std::string& parameters,
                             const std::vector<std::string>& unused_names, bool apart) const {
   if (is_c())
-    return joined(wrapped((apart ? "KANEC_APART " : "static inline ") + result + " " + global(name) + "(" + parameters + ") {", "    ")) +
+    return joined(wrapped(
+               (apart ? "KANEC_APART " : "static inline ") + result + " " + global(name) + "(" + parameters + ") {",
+               "    ")) +
            unused(unused_names);
   return "template <class T>\n" +
-         joined(wrapped((apart ? "[[gnu::noinline]] " : "") + result + " " + name + "(" + parameters + ") noexcept {", "    "));
+         joined(wrapped((apart ? "[[gnu::noinline]] " : "") + result + " " + name + "(" + parameters + ") noexcept {",
+                        "    "));
 }
 
 std::string Syntax::constants(const std::string& list) const {

@@ -1,5 +1,5 @@
-// What differs between the languages that functions are printed in: C++17, templates over the scalar in a namespace; and
-// C99, static functions whose names begin with the model's. Not: statements, functions and files themselves.
+// What differs between the languages that functions are printed in: C++17, templates over the scalar in a namespace;
+// and C99, static functions whose names begin with the model's. Not: statements, functions and files themselves.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -38,15 +38,21 @@ class Syntax {
   std::string close(const std::string& space) const { return is_c() ? "" : "}  // namespace " + space + "\n"; }
 
   // Of a struct that a function is given: "c.p", "c->p".
-  std::string member(const std::string& of, const std::string& field) const { return of + (is_c() ? "->" : ".") + field; }
+  std::string member(const std::string& of, const std::string& field) const {
+    return of + (is_c() ? "->" : ".") + field;
+  }
 
   // --- functions
 
   // A struct that is only read, or that is written: "const Prepared<T>& c", "cart_pole_f_Shared* shared".
   std::string given(const std::string& type, const std::string& name) const;
-  std::string written(const std::string& type, const std::string& name) const { return type + (is_c() ? "* " : "& ") + name; }
+  std::string written(const std::string& type, const std::string& name) const {
+    return type + (is_c() ? "* " : "& ") + name;
+  }
   // A parameter that may be unused: marked so, or told by a statement that these are used.
-  std::string maybe_unused(const std::string& parameter) const { return (is_c() ? "" : "[[maybe_unused]] ") + parameter; }
+  std::string maybe_unused(const std::string& parameter) const {
+    return (is_c() ? "" : "[[maybe_unused]] ") + parameter;
+  }
   std::string unused(const std::vector<std::string>& names, const std::string& indent = "  ") const;
   // Up to the brace, and what `unused` says. Apart: never part of what calls it.
   std::string opening(const std::string& result, const std::string& name, const std::string& parameters,
@@ -58,7 +64,9 @@ class Syntax {
   std::string constants(const std::string& list) const;
   // Up to the list: "inline constexpr int mass_matrix_rows[] = ".
   std::string table(const std::string& type, const std::string& name, const std::string& sizes) const;
-  std::string local_table(const std::string& type) const { return (is_c() ? "static const " : "static constexpr ") + type; }
+  std::string local_table(const std::string& type) const {
+    return (is_c() ? "static const " : "static constexpr ") + type;
+  }
   std::string open_struct(const std::string& name) const;
   std::string close_struct(const std::string& name) const { return is_c() ? "} " + prefix_ + name + ";\n" : "};\n"; }
 

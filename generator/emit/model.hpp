@@ -24,9 +24,9 @@ enum class Language { cpp, c };
 
 struct Model {
   const scene::Scene* scene = nullptr;
-  std::string version;  // of the generator: "0.1.0"
-  std::string hash;     // of the emitted text
-  std::string options;  // as text: "all functions"
+  std::string version;      // of the generator: "0.1.0"
+  std::string hash;         // of the emitted text
+  std::string options;      // as text: "all functions"
   std::string source = {};  // where the scene was read: a path, or empty
   Optimize optimize = Optimize::speed;
   int longest_line = 8000;  // operations of a function that for speed is a straight line in any case

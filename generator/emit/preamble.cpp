@@ -120,16 +120,19 @@ std::string spellings(const Used& used) {
     for (const scene::Named& named : *list)
       if (const std::string name = scene::spelled(named.name); name != named.name)
         names.push_back(name + no_break + "for" + no_break + named.name);
-  return names.empty() ? "" : comment("Spelled otherwise, since they may be macros or keywords: " + joined(names) + ".");
+  return names.empty() ? ""
+                       : comment("Spelled otherwise, since they may be macros or keywords: " + joined(names) + ".");
 }
 
 std::string c_conventions(bool chooses, bool turns) {
-  std::string text =
-      std::string("No function allocates, branches") + (chooses ? " (it may choose between two values)" : "") +
-      " or keeps a state; results must not overlap arguments. kanec_real is double, or where KANEC_REAL is defined as float "
-      "before the include float.";
+  std::string text = std::string("No function allocates, branches") +
+                     (chooses ? " (it may choose between two values)" : "") +
+                     " or keeps a state; results must not overlap arguments. kanec_real is double, or where KANEC_REAL "
+                     "is defined as float "
+                     "before the include float.";
   if (turns)
-    text += " Cosines and sines of angles in double are those of cos_sin() below, with KANEC_LIBM_COS_SIN the library's.";
+    text +=
+        " Cosines and sines of angles in double are those of cos_sin() below, with KANEC_LIBM_COS_SIN the library's.";
   return "// R takes inertial components to body components; a~ b = a x b; matrices are row-major.\n" + comment(text);
 }
 
@@ -178,7 +181,8 @@ std::string preamble(const Model& model, const program::Program& program, const 
                  ". Not to be edited by hand.") +
          "//\n" + comment("model " + model.hash + source + "; " + model.options) + bodies(scene) + state(scene) +
          left_out(used) + spellings(used) +
-         conventions(program, takes_turns(model, program) && model.optimize != Optimize::size, Syntax(model)) + operations(program, costs);
+         conventions(program, takes_turns(model, program) && model.optimize != Optimize::size, Syntax(model)) +
+         operations(program, costs);
 }
 
 }  // namespace kanec::emit

@@ -1,5 +1,5 @@
-// The comment that an emitted header opens with: bodies and joints, state, loads left out, conventions, operations. Not:
-// code.
+// The comment that an emitted header opens with: bodies and joints, state, loads left out, conventions, operations.
+// Not: code.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

@@ -131,8 +131,9 @@ Preparation emit_prepare(const Used& used, const program::Program& program, cons
     result.named.prepared[field.node] = {syntax.member("c", name), false};
   }
   const std::string type = syntax.type("Prepared"), parameters = syntax.type("Parameters");
-  result.text += "// What depends on parameters only, computed once for many calls.\n" + syntax.open_struct("Prepared") +
-                 "  " + parameters + " p;\n" + members + syntax.close_struct("Prepared") + "\n";
+  result.text += "// What depends on parameters only, computed once for many calls.\n" +
+                 syntax.open_struct("Prepared") + "  " + parameters + " p;\n" + members +
+                 syntax.close_struct("Prepared") + "\n";
   const bool constant = !syntax.is_c() && is_constant(program, stages);
   result.text += "// prepare: " + program::text(program::prepare_ledger(program)) + "\n" +
                  syntax.opening((constant ? "constexpr " : "") + type, "prepare",

@@ -17,8 +17,8 @@
 namespace kanec::emit {
 namespace {
 
-using program::Group;
 using program::at;
+using program::Group;
 using program::Index;
 using program::Recursion;
 using program::Ref;
@@ -39,8 +39,10 @@ std::unordered_map<Index, std::string> labels_of(const program::Function& functi
 // What stands around the statements: the arguments and members of the class, and names of the state.
 Scope series_scope(const program::Program& program, const program::Function& function) {
   Scope scope = function_scope(program, function, Syntax());
-  for (const char* name : {"z", "zdot", "k", "n", "now", "v", "f", "s", "F", "S", "N", "count", "size", "stride",
-                           "order", "values", "next", "coefficients", "products", "n_products"})
+  for (const char* name :
+       {"z",        "zdot",      "k",     "n",    "now",    "v",     "f",      "s",    "F",
+        "S",        "N",         "count", "size", "stride", "order", "values", "next", "coefficients",
+        "products", "n_products"})
     scope.reserve(name);
   return scope;
 }
@@ -231,26 +233,27 @@ class Recursions {
 
   // The value of an operation by those of its operands.
   Term operation(Index i) {
-    return std::visit(
-        program::Overloaded{
-            [&](const program::Constant&) { return still(i); },
-            [&](const program::Variable&) { return still(i); },
-            [&](const program::Add& op) { return sum(value(op.a), value(op.b)); },
-            [&](const program::Subtract& op) { return sum(value(op.a), negated(value(op.b))); },
-            [&](const program::Multiply& op) { return product(value(op.a), value(op.b)); },
-            [&](const program::Divide& op) { return quotient(value(op.a), value(op.b)); },
-            [&](const program::SquareRoot& op) { return Term{call("sqrt", op.a)}; },
-            [&](const program::Sine& op) { return Term{call("sin", op.a)}; },
-            [&](const program::Cosine& op) { return Term{call("cos", op.a)}; },
-            [&](const program::UnaryCall& op) { return Term{call(program::name(op.function), op.a)}; },
-            [&](const program::BinaryCall& op) {
-              return Term{Syntax().call(program::name(op.function)) + "(" + argument(op.a) + ", " + argument(op.b) + ")"};
-            },
-            [&](const program::Select& op) {
-              return Term{"select(" + below_zero(value(op.sign), "T(0)") + ", " + argument(op.a) + ", " + argument(op.b) + ")"};
-            },
-        },
-        node(i));
+    return std::visit(program::Overloaded{
+                          [&](const program::Constant&) { return still(i); },
+                          [&](const program::Variable&) { return still(i); },
+                          [&](const program::Add& op) { return sum(value(op.a), value(op.b)); },
+                          [&](const program::Subtract& op) { return sum(value(op.a), negated(value(op.b))); },
+                          [&](const program::Multiply& op) { return product(value(op.a), value(op.b)); },
+                          [&](const program::Divide& op) { return quotient(value(op.a), value(op.b)); },
+                          [&](const program::SquareRoot& op) { return Term{call("sqrt", op.a)}; },
+                          [&](const program::Sine& op) { return Term{call("sin", op.a)}; },
+                          [&](const program::Cosine& op) { return Term{call("cos", op.a)}; },
+                          [&](const program::UnaryCall& op) { return Term{call(program::name(op.function), op.a)}; },
+                          [&](const program::BinaryCall& op) {
+                            return Term{Syntax().call(program::name(op.function)) + "(" + argument(op.a) + ", " +
+                                        argument(op.b) + ")"};
+                          },
+                          [&](const program::Select& op) {
+                            return Term{"select(" + below_zero(value(op.sign), "T(0)") + ", " + argument(op.a) + ", " +
+                                        argument(op.b) + ")"};
+                          },
+                      },
+                      node(i));
   }
 
   // The value that a factor had, in the coefficients' statements.
@@ -336,8 +339,8 @@ class Recursions {
       return "select(" + below_zero(value_then(op->sign), "T(0)") + ", " + coefficient_of(op->a) + ", " +
              coefficient_of(op->b) + ")";
     if (const auto* op = std::get_if<program::UnaryCall>(&node(i)))
-      return "select(" + below_zero(value_then(op->a), "T(0)") + ", -" + coefficient_of(op->a) + ", " + coefficient_of(op->a) +
-             ")";
+      return "select(" + below_zero(value_then(op->a), "T(0)") + ", -" + coefficient_of(op->a) + ", " +
+             coefficient_of(op->a) + ")";
     const auto& op = std::get<program::BinaryCall>(node(i));
     const std::string a = text(value_then(op.a)), b = text(value_then(op.b));
     const bool is_min = op.function == program::Binary::min;

@@ -93,8 +93,10 @@ class Loops {
     for (std::size_t i = 0; i < scope_.fields.size(); ++i)
       list += (i == 0 ? "" : ", ") + frame.global(scope_.fields[i]) + " = " + std::to_string(rolled_.slots[i]);
     if (list.empty()) return "";
-    return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body has both\n"
-           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one begin.\n" +
+    return "// Results of a body's sections that others read, by their place in the body's frame; fields that no body "
+           "has both\n"
+           "// of may share one. K, L and J in tables: where the frames of a body, of its lower and of an upper one "
+           "begin.\n" +
            syntax_.open("frame") + frame.constants(list) + syntax_.close("frame") + "\n";
   }
 
@@ -104,7 +106,6 @@ class Loops {
            "template <>\nstruct Constants<float> {\n  using Number = float;\n};\n"
            "template <class T>\nusing Number = typename Constants<T>::Number;\n\n";
   }
-
 
   // Inputs or results of parameters as an array that tables can point into.
   std::string array(const std::string& name, const std::vector<std::string>& entries) const {

@@ -23,8 +23,7 @@ std::string loads(const program::Program& program, const Section& section,
                   std::set<std::pair<Group, program::Index>>& known, const Syntax& syntax) {
   std::set<std::pair<Group, program::Index>> read;
   for (const Variable& v : section.reads)
-    if (is_of_state(v.group) && known.insert({v.group, v.index}).second)
-      read.insert({v.group, v.index});
+    if (is_of_state(v.group) && known.insert({v.group, v.index}).second) read.insert({v.group, v.index});
   std::string result;
   std::string vector;
   for (const auto& [group, index] : read) {
@@ -107,8 +106,7 @@ std::string split(const program::Program& program, const Shape& shape,
   std::string calls;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string name = "piece_" + std::to_string(i + 1);
-    const std::string local =
-        shape.out_local.empty() ? "" : ", " + syntax.maybe_unused(real + "* " + shape.out_local);
+    const std::string local = shape.out_local.empty() ? "" : ", " + syntax.maybe_unused(real + "* " + shape.out_local);
     std::vector<std::string> unused = shape.piece_unused;
     if (!local.empty()) unused.push_back(shape.out_local);
     unused.push_back("shared");

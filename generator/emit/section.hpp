@@ -15,26 +15,27 @@
 namespace kanec::emit {
 
 struct Section {
-  std::string heading;                      // comment line, empty for none
-  std::vector<std::string> lines;           // statements and comments
-  std::vector<program::Variable> reads;     // entries of the state, in any order
-  std::vector<std::string> defines, uses;   // names of results: made here, used here
+  std::string heading;                     // comment line, empty for none
+  std::vector<std::string> lines;          // statements and comments
+  std::vector<program::Variable> reads;    // entries of the state, in any order
+  std::vector<std::string> defines, uses;  // names of results: made here, used here
 };
 
-// Compilers other than clang need more than linear time for a long function (g++ 12 at -O2: 1.9 s for 10,000 statements,
-// 27 s for 40,000), so longer ones are cut at sections into pieces that share a struct of the results that cross cuts.
+// Compilers other than clang need more than linear time for a long function (g++ 12 at -O2: 1.9 s for 10,000
+// statements, 27 s for 40,000), so longer ones are cut at sections into pieces that share a struct of the results that
+// cross cuts.
 struct Shape {
-  std::string name;        // "accelerations"
+  std::string name;  // "accelerations"
   std::string parameters;
   std::vector<std::string> unused;
   std::string piece_parameters;  // the same where any may be unused
   std::vector<std::string> piece_unused;
-  std::string arguments;   // as passed on to a piece
-  std::string begin;       // statements before the sections
-  std::string end;         // and after
-  std::string out_local;   // a local array that pieces write into, "block", or empty
-  std::string usings;      // using-declarations that the statements need
-  Angles angles;           // of which the arrays cosines and sines are
+  std::string arguments;  // as passed on to a piece
+  std::string begin;      // statements before the sections
+  std::string end;        // and after
+  std::string out_local;  // a local array that pieces write into, "block", or empty
+  std::string usings;     // using-declarations that the statements need
+  Angles angles;          // of which the arrays cosines and sines are
 };
 
 std::string function_text(const program::Program& program, const Shape& shape, const std::vector<Section>& sections,

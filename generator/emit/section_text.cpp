@@ -25,9 +25,7 @@ using program::Stage;
 
 std::string count(std::size_t n) { return std::to_string(n); }
 
-bool are_equal(const std::vector<Index>& list) {
-  return std::equal(list.begin() + 1, list.end(), list.begin());
-}
+bool are_equal(const std::vector<Index>& list) { return std::equal(list.begin() + 1, list.end(), list.begin()); }
 
 // "unsigned char", the smallest type that holds the largest of them.
 std::string type_for(std::size_t largest) {
@@ -109,18 +107,15 @@ class Text {
     for (const program::Output& output : kind_.outputs) columns_.add(place(output).first, place(output).second);
   }
 
-  static bool is_state(LeafKind kind) {
-    return kind == LeafKind::x || kind == LeafKind::y || kind == LeafKind::ydot;
-  }
+  static bool is_state(LeafKind kind) { return kind == LeafKind::x || kind == LeafKind::y || kind == LeafKind::ydot; }
 
-  static std::string array(LeafKind kind) {
-    return kind == LeafKind::x ? "x" : kind == LeafKind::y ? "y" : "ydot";
-  }
+  static std::string array(LeafKind kind) { return kind == LeafKind::x ? "x" : kind == LeafKind::y ? "y" : "ydot"; }
 
   // Places in an array of what stands at scattered places; a new one behind those before.
   static Columns::Places gathered(const Leaf& leaf, std::map<Index, Index>& known) {
     Columns::Places places;
-    for (const Index i : leaf.places) places.push_back(known.emplace(i, static_cast<Index>(known.size())).first->second);
+    for (const Index i : leaf.places)
+      places.push_back(known.emplace(i, static_cast<Index>(known.size())).first->second);
     return places;
   }
 
@@ -184,13 +179,21 @@ class Text {
         body_.names.x[i] = syntax().number("k[" + count(numbers_.size()) + "]");
         numbers_.push_back(&leaf.numbers);
         return;
-      case LeafKind::x: return load_state(i, leaf, program::Group::x);
-      case LeafKind::y: return load_state(i, leaf, program::Group::y);
-      case LeafKind::ydot: return load_state(i, leaf, program::Group::ydot);
-      case LeafKind::time: body_.names.x[i] = used("t"); return;
-      case LeafKind::input: return name_input(i, leaf);
-      case LeafKind::prepared: return name_prepared(i, leaf);
-      case LeafKind::frame: return load_frame(i, leaf);
+      case LeafKind::x:
+        return load_state(i, leaf, program::Group::x);
+      case LeafKind::y:
+        return load_state(i, leaf, program::Group::y);
+      case LeafKind::ydot:
+        return load_state(i, leaf, program::Group::ydot);
+      case LeafKind::time:
+        body_.names.x[i] = used("t");
+        return;
+      case LeafKind::input:
+        return name_input(i, leaf);
+      case LeafKind::prepared:
+        return name_prepared(i, leaf);
+      case LeafKind::frame:
+        return load_frame(i, leaf);
     }
   }
 
@@ -309,10 +312,10 @@ class Text {
     if (kind_.bodies[0] < 0) return "// results\n";
     if (kind_.bodies[0] == 0) return "// whole system\n";
     return block_text("// " + std::string(n > 1 ? "bodies " : "body ") + bodies +
-                     (kind_.pass == program::Pass::inward   ? " and what they carry"
-                      : kind_.pass == program::Pass::solved ? ", solved"
-                                                            : ""),
-                 "//   ");
+                          (kind_.pass == program::Pass::inward   ? " and what they carry"
+                           : kind_.pass == program::Pass::solved ? ", solved"
+                                                                 : ""),
+                      "//   ");
   }
 
   std::string used(const std::string& parameter) {
@@ -378,8 +381,9 @@ class Text {
     }
     std::string text;
     if (!names.empty())
-      text = block_text(syntax().is_c() ? "  const int " + names + ";" : "  const auto& [" + names + "] = " + places_table + ";",
-                   "      ");
+      text = block_text(
+          syntax().is_c() ? "  const int " + names + ";" : "  const auto& [" + names + "] = " + places_table + ";",
+          "      ");
     if (!numbers_.empty())
       text += syntax().is_c() ? "  const kanec_real* const k = " + numbers_table + "[row];\n"
                               : "  const auto& k = " + numbers_table + "<Number<T>>[row];\n";
@@ -406,10 +410,10 @@ class Text {
     }
     if (numbers_.empty()) return;
     const std::string number = syntax().is_c() ? real() : "C";
-    result_.tables += (syntax().is_c() ? "" : "template <class C>\n") +
-                      scope_.inner.table(number, result_.name + "_numbers",
-                                         "[" + count(n) + "][" + count(numbers_.size()) + "]") +
-                      "{\n";
+    result_.tables +=
+        (syntax().is_c() ? "" : "template <class C>\n") +
+        scope_.inner.table(number, result_.name + "_numbers", "[" + count(n) + "][" + count(numbers_.size()) + "]") +
+        "{\n";
     for (std::size_t m = 0; m < n; ++m)
       result_.tables += row(
           [&](std::size_t j) {
@@ -431,9 +435,9 @@ class Text {
   const SectionClass& kind_;
   Gathered& gathered_;
   program::Program body_;
-  std::vector<Index> own_;                              // bodies, the whole system for what is no body's
+  std::vector<Index> own_;  // bodies, the whole system for what is no body's
   std::map<std::vector<Index>, std::string> letter_of_;
-  Letters letters_;                                     // of the first body and its neighbours
+  Letters letters_;  // of the first body and its neighbours
   Columns columns_;
   std::vector<std::pair<std::string, Columns::Places>> body_columns_;
   std::vector<const std::vector<program::Number>*> numbers_;
@@ -447,7 +451,7 @@ class Text {
 
 std::string section_name(const SectionClass& kind, int number) {
   if (kind.bodies[0] < 0) return "results";
-  const std::string pass = kind.pass == program::Pass::outward ? "outward"
+  const std::string pass = kind.pass == program::Pass::outward  ? "outward"
                            : kind.pass == program::Pass::inward ? "inward"
                                                                 : "solved";
   return pass + "_" + std::to_string(number);

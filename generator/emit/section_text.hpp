@@ -32,8 +32,8 @@ struct Gathered {
 };
 
 struct SectionText {
-  std::string name;      // "outward_3"
-  std::string tables;    // constant arrays, empty where all bodies are alike
+  std::string name;    // "outward_3"
+  std::string tables;  // constant arrays, empty where all bodies are alike
   std::string function;
   std::string arguments;  // of a call: "x, frames, row", each the name of what is meant
 };

@@ -17,13 +17,14 @@ struct Reads {
 
 Reads reads(const program::Program& program, const program::Function& function);
 
-// A function takes the prepared parameters, the time where it reads it, and x, y, ydot and inputs where its signature says
-// so or it reads them; inputs only where the model has any.
+// A function takes the prepared parameters, the time where it reads it, and x, y, ydot and inputs where its signature
+// says so or it reads them; inputs only where the model has any.
 class ArgumentList {
  public:
   ArgumentList(const program::Program& program, const program::Function& function, bool has_inputs, Syntax syntax = {});
 
-  // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]], or in C among the unused.
+  // "const Prepared<T>& c, T t, const T* x, T* xdot"; what is not read is marked [[maybe_unused]], or in C among the
+  // unused.
   std::string parameters() const { return list(reads_, false).text; }
   std::vector<std::string> unused() const { return list(reads_, false).unused; }
   bool takes_inputs() const { return takes_.inputs; }

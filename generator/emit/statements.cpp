@@ -122,38 +122,39 @@ Term Statements::expression(Index node) {
 }
 
 Term Statements::operation(const Node& node) {
-  return std::visit(program::Overloaded{
-                        [&](const program::Constant& op) -> Term {
-                          const double value = op.value.rounded();
-                          return {syntax_.number(literal(std::abs(value))), 2, value < 0};
-                        },
-                        [&](const program::Variable& op) -> Term {
-                          variables_.push_back(op);
-                          return {variable_name(program_, op, stage_, syntax_), 2, false};
-                        },
-                        [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
-                        [&](const program::Subtract& op) {
-                          Term b = expression(op.b);
-                          return sum(expression(op.a), negated(std::move(b)));
-                        },
-                        [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
-                        [&](const program::Divide& op) {
-                          const Term a = expression(op.a);
-                          return quotient(a, expression(op.b));
-                        },
-                        [&](const program::SquareRoot& op) -> Term {
-                          return {syntax_.call("sqrt") + "(" + argument(op.a) + ")", 2, false};
-                        },
-                        [&](const program::Sine& op) { return turn("sines", "sin", op.a); },
-                        [&](const program::Cosine& op) { return turn("cosines", "cos", op.a); },
-                        [&](const program::UnaryCall& op) { return call(op); },
-                        [&](const program::BinaryCall& op) -> Term {
-                          const std::string first = argument(op.a);
-                          return {syntax_.call(program::name(op.function)) + "(" + first + ", " + argument(op.b) + ")", 2, false};
-                        },
-                        [&](const program::Select& op) { return selection(op); },
-                    },
-                    node);
+  return std::visit(
+      program::Overloaded{
+          [&](const program::Constant& op) -> Term {
+            const double value = op.value.rounded();
+            return {syntax_.number(literal(std::abs(value))), 2, value < 0};
+          },
+          [&](const program::Variable& op) -> Term {
+            variables_.push_back(op);
+            return {variable_name(program_, op, stage_, syntax_), 2, false};
+          },
+          [&](const program::Add& op) { return sum(expression(op.a), expression(op.b)); },
+          [&](const program::Subtract& op) {
+            Term b = expression(op.b);
+            return sum(expression(op.a), negated(std::move(b)));
+          },
+          [&](const program::Multiply& op) { return product(expression(op.a), expression(op.b)); },
+          [&](const program::Divide& op) {
+            const Term a = expression(op.a);
+            return quotient(a, expression(op.b));
+          },
+          [&](const program::SquareRoot& op) -> Term {
+            return {syntax_.call("sqrt") + "(" + argument(op.a) + ")", 2, false};
+          },
+          [&](const program::Sine& op) { return turn("sines", "sin", op.a); },
+          [&](const program::Cosine& op) { return turn("cosines", "cos", op.a); },
+          [&](const program::UnaryCall& op) { return call(op); },
+          [&](const program::BinaryCall& op) -> Term {
+            const std::string first = argument(op.a);
+            return {syntax_.call(program::name(op.function)) + "(" + first + ", " + argument(op.b) + ")", 2, false};
+          },
+          [&](const program::Select& op) { return selection(op); },
+      },
+      node);
 }
 
 Term Statements::call(const program::UnaryCall& op) {
@@ -192,7 +193,9 @@ Term Statements::even(const char* function, Index a) {
 Term Statements::selection(const program::Select& op) {
   const Term sign = expression(op.sign);
   const std::string first = argument(op.a);
-  return {syntax_.call("select") + "(" + below_zero(sign, syntax_.number("0")) + ", " + first + ", " + argument(op.b) + ")", 2, false};
+  return {
+      syntax_.call("select") + "(" + below_zero(sign, syntax_.number("0")) + ", " + first + ", " + argument(op.b) + ")",
+      2, false};
 }
 
 void Statements::line(const std::string& text) {

@@ -34,8 +34,8 @@ std::vector<std::string> wrapped(const std::string& text, const std::string& ind
 // a numbered temporary.
 class Statements {
  public:
-  // roots: what the function returns. Nodes of another stage must have names before they are used. scope: names that are
-  // taken.
+  // roots: what the function returns. Nodes of another stage must have names before they are used. scope: names that
+  // are taken.
   Statements(const program::Program& program, const std::vector<program::Stage>& stages, program::Stage stage,
              const std::vector<program::Ref>& roots, Scope scope, Syntax syntax);
 

@@ -20,8 +20,8 @@ struct Table {
 };
 
 // Connection array, u(K), state vectors with their sizes, kinematical equations, rotations, links, positions,
-// velocities, partial (angular) velocities and their time derivatives (block by block without those that are 0, then one
-// matrix a link with them), A and f. A table without rows is left out.
+// velocities, partial (angular) velocities and their time derivatives (block by block without those that are 0, then
+// one matrix a link with them), A and f. A table without rows is left out.
 std::vector<Table> tables(const symbolic::Equations& equations, symbolic::Style style);
 
 std::string text_document(const symbolic::Equations& equations);

@@ -59,7 +59,8 @@ std::string class_text(const RecursionText& recursions, std::size_t size, bool h
   const std::string inputs = has_inputs ? ", [[maybe_unused]] const Inputs<T>& u" : "";
   std::string functions;
   for (const std::string& function : recursions.functions)
-    if (function != "min" && function != "max") functions += (functions.empty() ? "    using std::" : ", std::") + function;
+    if (function != "min" && function != "max")
+      functions += (functions.empty() ? "    using std::" : ", std::") + function;
   if (!functions.empty()) functions += ";\n";
   return meaning + run_text(std::to_string(size), inputs, has_inputs ? ", u" : "") + recursions.factors +
          recursions.sums + "  // sum, factors, sign\n" + products_text(recursions.products) +
@@ -97,8 +98,8 @@ std::string emit_taylor(const Model& model, const program::Program& program) {
                            class_text(recursions, function->outputs.size(), preparation.named.has_inputs) +
                            "\n}  // namespace kanec::" + scene::spelled(scene.name) + "\n";
   // the header's names, and members of the class that its functions stand before
-  check_code(code, {"kanec_series", "Prepared", "Inputs", "select", "values", "next", "F", "S", "products", "n_products",
-                    "stride", "now", "v", "f", "s", "min", "max"});
+  check_code(code, {"kanec_series", "Prepared", "Inputs", "select", "values", "next", "F", "S", "products",
+                    "n_products", "stride", "now", "v", "f", "s", "min", "max"});
   return head(model) + code;
 }
 

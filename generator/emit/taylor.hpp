@@ -1,5 +1,6 @@
-// The Taylor series of a model's motion as a C++ class template: one recursion a result of the very program that gives its
-// rates. Not: steps by these series (runtime/integrate/taylor.cpp), nor which recursion a result has (program/series.hpp).
+// The Taylor series of a model's motion as a C++ class template: one recursion a result of the very program that gives
+// its rates. Not: steps by these series (runtime/integrate/taylor.cpp), nor which recursion a result has
+// (program/series.hpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

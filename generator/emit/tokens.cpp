@@ -48,8 +48,9 @@ class Cutter {
 
   template <class Fits>
   std::size_t run(Fits fits) const {
-    return static_cast<std::size_t>(std::find_if_not(code_.begin() + static_cast<std::ptrdiff_t>(at_), code_.end(), fits) -
-                                    code_.begin()) - at_;
+    return static_cast<std::size_t>(
+               std::find_if_not(code_.begin() + static_cast<std::ptrdiff_t>(at_), code_.end(), fits) - code_.begin()) -
+           at_;
   }
 
   // With an exponent's sign: "1e-05".

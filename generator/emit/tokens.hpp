@@ -14,7 +14,8 @@ struct Token {
   std::string_view text;
 };
 
-// Without comments, attributes, lines of the preprocessor and KANEC_CALL, which is empty; the last token is the end. Views into `code`.
+// Without comments, attributes, lines of the preprocessor and KANEC_CALL, which is empty; the last token is the end.
+// Views into `code`.
 std::vector<Token> tokens(std::string_view code);
 
 }  // namespace kanec::emit

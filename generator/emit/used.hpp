@@ -1,5 +1,5 @@
-// The parameters and inputs that any emitted function reads; others are left out of the emitted code. Not: which function
-// reads which.
+// The parameters and inputs that any emitted function reads; others are left out of the emitted code. Not: which
+// function reads which.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

@@ -12,11 +12,16 @@ using symbolic::Role;
 
 Block Data::of(const symbolic::Symbol& symbol) {
   switch (symbol.role) {
-    case Role::x: return state(Group::x, symbol);
-    case Role::y: return state(Group::y, symbol);
-    case Role::ydot: return state(Group::ydot, symbol);
-    case Role::quantity: throw InternalError("lower: a quantity without a value");
-    case Role::numbers: break;
+    case Role::x:
+      return state(Group::x, symbol);
+    case Role::y:
+      return state(Group::y, symbol);
+    case Role::ydot:
+      return state(Group::ydot, symbol);
+    case Role::quantity:
+      throw InternalError("lower: a quantity without a value");
+    case Role::numbers:
+      break;
   }
   const int n = static_cast<int>(symbol.numbers.size());
   Block result{n == 9 ? 3 : n, n == 9 ? 3 : 1, {}};
@@ -33,10 +38,14 @@ Block Data::state(Group group, const symbolic::Symbol& symbol) {
 
 Ref Data::value(const scene::Number& number) {
   switch (number.kind) {
-    case scene::Number::Kind::parameter: return builder_.variable(Group::parameter, number.index);
-    case scene::Number::Kind::input: return builder_.variable(Group::input, number.index);
-    case scene::Number::Kind::expression: return expression(number.index, 0);
-    case scene::Number::Kind::constant: break;
+    case scene::Number::Kind::parameter:
+      return builder_.variable(Group::parameter, number.index);
+    case scene::Number::Kind::input:
+      return builder_.variable(Group::input, number.index);
+    case scene::Number::Kind::expression:
+      return expression(number.index, 0);
+    case scene::Number::Kind::constant:
+      break;
   }
   return builder_.constant(number.value);
 }
@@ -67,18 +76,30 @@ Ref Data::value(const scene::Expression& expression) {
 
 Ref Data::value(const ExpressionNode& node, Ref a, Ref b) {
   switch (node.kind) {
-    case ExpressionNode::Kind::number: return builder_.constant(node.value);
-    case ExpressionNode::Kind::time: return builder_.variable(Group::time, 0);
-    case ExpressionNode::Kind::coordinate: return builder_.variable(Group::x, node.index);
-    case ExpressionNode::Kind::speed: return builder_.variable(Group::y, node.index);
-    case ExpressionNode::Kind::parameter: return builder_.variable(Group::parameter, node.index);
-    case ExpressionNode::Kind::input: return builder_.variable(Group::input, node.index);
-    case ExpressionNode::Kind::negate: return -a;
-    case ExpressionNode::Kind::add: return builder_.add(a, b);
-    case ExpressionNode::Kind::subtract: return builder_.subtract(a, b);
-    case ExpressionNode::Kind::multiply: return builder_.multiply(a, b);
-    case ExpressionNode::Kind::divide: return builder_.divide(a, b);
-    case ExpressionNode::Kind::call: break;
+    case ExpressionNode::Kind::number:
+      return builder_.constant(node.value);
+    case ExpressionNode::Kind::time:
+      return builder_.variable(Group::time, 0);
+    case ExpressionNode::Kind::coordinate:
+      return builder_.variable(Group::x, node.index);
+    case ExpressionNode::Kind::speed:
+      return builder_.variable(Group::y, node.index);
+    case ExpressionNode::Kind::parameter:
+      return builder_.variable(Group::parameter, node.index);
+    case ExpressionNode::Kind::input:
+      return builder_.variable(Group::input, node.index);
+    case ExpressionNode::Kind::negate:
+      return -a;
+    case ExpressionNode::Kind::add:
+      return builder_.add(a, b);
+    case ExpressionNode::Kind::subtract:
+      return builder_.subtract(a, b);
+    case ExpressionNode::Kind::multiply:
+      return builder_.multiply(a, b);
+    case ExpressionNode::Kind::divide:
+      return builder_.divide(a, b);
+    case ExpressionNode::Kind::call:
+      break;
   }
   return call(node.call, a, b);
 }
@@ -87,20 +108,34 @@ Ref Data::call(Call function, Ref a, Ref b) {
   using program::Binary;
   using program::Unary;
   switch (function) {
-    case Call::sin: return builder_.sine(a);
-    case Call::cos: return builder_.cosine(a);
-    case Call::tan: return builder_.call(Unary::tan, a);
-    case Call::asin: return builder_.call(Unary::asin, a);
-    case Call::acos: return builder_.call(Unary::acos, a);
-    case Call::atan2: return builder_.call(Binary::atan2, a, b);
-    case Call::sqrt: return builder_.square_root(a);
-    case Call::exp: return builder_.call(Unary::exp, a);
-    case Call::log: return builder_.call(Unary::log, a);
-    case Call::abs: return builder_.call(Unary::abs, a);
-    case Call::min: return builder_.call(Binary::min, a, b);
-    case Call::max: return builder_.call(Binary::max, a, b);
-    case Call::pow: return builder_.call(Binary::pow, a, b);
-    case Call::tanh: return builder_.call(Unary::tanh, a);
+    case Call::sin:
+      return builder_.sine(a);
+    case Call::cos:
+      return builder_.cosine(a);
+    case Call::tan:
+      return builder_.call(Unary::tan, a);
+    case Call::asin:
+      return builder_.call(Unary::asin, a);
+    case Call::acos:
+      return builder_.call(Unary::acos, a);
+    case Call::atan2:
+      return builder_.call(Binary::atan2, a, b);
+    case Call::sqrt:
+      return builder_.square_root(a);
+    case Call::exp:
+      return builder_.call(Unary::exp, a);
+    case Call::log:
+      return builder_.call(Unary::log, a);
+    case Call::abs:
+      return builder_.call(Unary::abs, a);
+    case Call::min:
+      return builder_.call(Binary::min, a, b);
+    case Call::max:
+      return builder_.call(Binary::max, a, b);
+    case Call::pow:
+      return builder_.call(Binary::pow, a, b);
+    case Call::tanh:
+      return builder_.call(Unary::tanh, a);
   }
   throw InternalError("lower: a call of no known function");
 }

@@ -26,11 +26,14 @@ Ref Builder::call(Unary function, Ref a) {
   switch (function) {
     case Unary::tan:
     case Unary::asin:
-    case Unary::tanh: return {append(UnaryCall{function, a.node}).node, a.negative};  // odd
-    case Unary::abs: return append(UnaryCall{function, a.node});                      // even
+    case Unary::tanh:
+      return {append(UnaryCall{function, a.node}).node, a.negative};  // odd
+    case Unary::abs:
+      return append(UnaryCall{function, a.node});  // even
     case Unary::acos:
     case Unary::exp:
-    case Unary::log: break;
+    case Unary::log:
+      break;
   }
   return append(UnaryCall{function, value_of(a)});
 }

@@ -117,12 +117,18 @@ LeafKind leaf_kind(const Node& node, Stage stage) {
   const auto* variable = std::get_if<Variable>(&node);
   if (variable == nullptr) return LeafKind::frame;
   switch (variable->group) {
-    case Group::x: return LeafKind::x;
-    case Group::y: return LeafKind::y;
-    case Group::ydot: return LeafKind::ydot;
-    case Group::input: return LeafKind::input;
-    case Group::time: return LeafKind::time;
-    case Group::parameter: return LeafKind::prepared;
+    case Group::x:
+      return LeafKind::x;
+    case Group::y:
+      return LeafKind::y;
+    case Group::ydot:
+      return LeafKind::ydot;
+    case Group::input:
+      return LeafKind::input;
+    case Group::time:
+      return LeafKind::time;
+    case Group::parameter:
+      return LeafKind::prepared;
   }
   throw InternalError("canonical: a variable of no group");
 }

@@ -34,7 +34,7 @@ class Collection {
       const Index index = now++;
       const auto sum = sums_.sums.find(index);
       const bool whole = sum != sums_.sums.end();
-      to.push_back(whole                     ? made(builder, sum->second, to)
+      to.push_back(whole                    ? made(builder, sum->second, to)
                    : sums_.inner[at(index)] ? Ref{}
                                             : same_again(builder, node, operands));
       return to.back();

@@ -1,5 +1,5 @@
-// Derivatives of results, written down as further operations: along a direction, and Jacobians of functions. Not: passes;
-// what the new operations share among each other is left to these.
+// Derivatives of results, written down as further operations: along a direction, and Jacobians of functions. Not:
+// passes; what the new operations share among each other is left to these.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -10,8 +10,9 @@
 
 namespace kanec::program {
 
-// Forward differentiation along one direction. At kinks a one-sided derivative: abs has 1 at 0, and where both arguments
-// of min or max are equal the first is taken. No operation is made for a derivative that is 0, nor a product with 1.
+// Forward differentiation along one direction. At kinks a one-sided derivative: abs has 1 at 0, and where both
+// arguments of min or max are equal the first is taken. No operation is made for a derivative that is 0, nor a product
+// with 1.
 class Tangents {
  public:
   explicit Tangents(Builder& builder) : builder_(builder), zero_(builder.constant(0.0)) {}
@@ -56,9 +57,9 @@ struct Direction {
 using Column = std::vector<Direction>;
 
 // A function whose outputs are the derivatives of the outputs of `function`, row-major, a row an output and a column a
-// direction; with its quantities, so that what both need keeps its name. Its operations are appended to the program; name,
-// meaning, layout and the name of the result are left to the caller. `function` has no placements. Of the ways to arrange
-// the chain rule (elimination.hpp) the one with the fewest operations is taken.
+// direction; with its quantities, so that what both need keeps its name. Its operations are appended to the program;
+// name, meaning, layout and the name of the result are left to the caller. `function` has no placements. Of the ways to
+// arrange the chain rule (elimination.hpp) the one with the fewest operations is taken.
 Function jacobian(Program& program, const Function& function, const std::vector<Column>& columns);
 
 }  // namespace kanec::program

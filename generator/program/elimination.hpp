@@ -13,8 +13,8 @@ namespace kanec::program {
 // (after Markowitz).
 enum class Order { outputs_first, fewest_products };
 
-// The entries of the Jacobian, row-major, appended to the builder. Here the derivative of a selection is 0 or 1 times that of
-// its values: where one that is not selected is infinite, only `Tangents` is right.
+// The entries of the Jacobian, row-major, appended to the builder. Here the derivative of a selection is 0 or 1 times
+// that of its values: where one that is not selected is infinite, only `Tangents` is right.
 std::vector<Ref> jacobian_entries(Builder& builder, const std::vector<Ref>& outputs, const std::vector<Column>& columns,
                                   Order order);
 

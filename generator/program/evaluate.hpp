@@ -59,23 +59,34 @@ struct Evaluate {
   static T call(Unary function, const T& a) {
     using std::abs, std::acos, std::asin, std::exp, std::log, std::tan, std::tanh;
     switch (function) {
-      case Unary::tan: return tan(a);
-      case Unary::asin: return asin(a);
-      case Unary::acos: return acos(a);
-      case Unary::exp: return exp(a);
-      case Unary::log: return log(a);
-      case Unary::abs: return abs(a);
-      case Unary::tanh: return tanh(a);
+      case Unary::tan:
+        return tan(a);
+      case Unary::asin:
+        return asin(a);
+      case Unary::acos:
+        return acos(a);
+      case Unary::exp:
+        return exp(a);
+      case Unary::log:
+        return log(a);
+      case Unary::abs:
+        return abs(a);
+      case Unary::tanh:
+        return tanh(a);
     }
     throw InternalError("evaluate: no such function");
   }
   static T call(Binary function, const T& a, const T& b) {
     using std::atan2, std::max, std::min, std::pow;
     switch (function) {
-      case Binary::atan2: return atan2(a, b);
-      case Binary::min: return min(a, b);
-      case Binary::max: return max(a, b);
-      case Binary::pow: return pow(a, b);
+      case Binary::atan2:
+        return atan2(a, b);
+      case Binary::min:
+        return min(a, b);
+      case Binary::max:
+        return max(a, b);
+      case Binary::pow:
+        return pow(a, b);
     }
     throw InternalError("evaluate: no such function");
   }

@@ -93,9 +93,7 @@ Ref quotient(Builder& builder, Ref a, Ref b) {
   return builder.divide(a, b);
 }
 
-Ref square_root(Builder& builder, Ref a) {
-  return is(builder, a, 0) || is(builder, a, 1) ? a : builder.square_root(a);
-}
+Ref square_root(Builder& builder, Ref a) { return is(builder, a, 0) || is(builder, a, 1) ? a : builder.square_root(a); }
 
 Ref sine(Builder& builder, Ref a) { return is(builder, a, 0) ? a : builder.sine(a); }
 

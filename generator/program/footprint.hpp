@@ -1,5 +1,5 @@
-// What a function takes of memory, estimated by rule: what compilers make of it cannot be known here. Not: a measurement
-// (kanec bench).
+// What a function takes of memory, estimated by rule: what compilers make of it cannot be known here. Not: a
+// measurement (kanec bench).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace kanec::program {
 
-// Of one function in double on a machine with 16 registers of a vector unit. Measured: code within a quarter, stack within
-// a factor of two (docs/compile_time.md).
+// Of one function in double on a machine with 16 registers of a vector unit. Measured: code within a quarter, stack
+// within a factor of two (docs/compile_time.md).
 struct Footprint {
   std::size_t code;   // [byte], tables of constants among it
   std::size_t stack;  // [byte]

@@ -4,9 +4,7 @@
 #include "generator/program/passes.hpp"
 
 namespace kanec::program {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<bool> fusible_products(const Program& program, const std::vector<Stage>& stages) {
   const std::vector<bool> alive = reachable(program);

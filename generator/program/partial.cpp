@@ -33,13 +33,20 @@ class Partials {
  private:
   Ref of(Unary function, Ref a) {
     switch (function) {
-      case Unary::tan: return fold::sum(b_, number(1), square(value_));
-      case Unary::tanh: return fold::sum(b_, number(1), -square(value_));
-      case Unary::asin: return fold::quotient(b_, number(1), root_of_one_less(square(a)));
-      case Unary::acos: return -fold::quotient(b_, number(1), root_of_one_less(square(a)));
-      case Unary::exp: return value_;
-      case Unary::log: return fold::quotient(b_, number(1), a);
-      case Unary::abs: return fold::select(b_, a, number(-1), number(1));
+      case Unary::tan:
+        return fold::sum(b_, number(1), square(value_));
+      case Unary::tanh:
+        return fold::sum(b_, number(1), -square(value_));
+      case Unary::asin:
+        return fold::quotient(b_, number(1), root_of_one_less(square(a)));
+      case Unary::acos:
+        return -fold::quotient(b_, number(1), root_of_one_less(square(a)));
+      case Unary::exp:
+        return value_;
+      case Unary::log:
+        return fold::quotient(b_, number(1), a);
+      case Unary::abs:
+        return fold::select(b_, a, number(-1), number(1));
     }
     return {};
   }
@@ -50,8 +57,10 @@ class Partials {
         const Ref square_of_radius = fold::sum(b_, square(a), square(b));
         return fold::quotient(b_, operand_ == 0 ? b : -a, square_of_radius);
       }
-      case Binary::min: return operand_ == 0 ? zero_where(b, a) : one_where(b, a);
-      case Binary::max: return operand_ == 0 ? zero_where(a, b) : one_where(a, b);
+      case Binary::min:
+        return operand_ == 0 ? zero_where(b, a) : one_where(b, a);
+      case Binary::max:
+        return operand_ == 0 ? zero_where(a, b) : one_where(a, b);
       case Binary::pow: {
         if (operand_ == 1) return fold::product(b_, value_, fold::call(b_, Unary::log, a));
         return fold::product(b_, b, fold::call(b_, Binary::pow, a, fold::sum(b_, b, number(-1))));

@@ -14,14 +14,15 @@ namespace kanec::program {
 // Constants folded exactly, zeros and ones eliminated, signs taken out of products, x - x = 0.
 Program simplify(Program program);
 
-// Constants of a sum in one, and multiples of one value: 0.3 a + b + 0.1 + 0.2 a + c + 0.4 = 0.5 a + b + 0.5 + c. What costs
-// as much either way stays.
+// Constants of a sum in one, and multiples of one value: 0.3 a + b + 0.1 + 0.2 a + c + 0.4 = 0.5 a + b + 0.5 + c. What
+// costs as much either way stays.
 Program collect(Program program);
 
 // Each operation once: hash-consing modulo commutation and the sign of differences.
 Program share(Program program);
 
-// Partial sums that several sums of a function have in common, taken out once. Re-associates sums of three and more terms.
+// Partial sums that several sums of a function have in common, taken out once. Re-associates sums of three and more
+// terms.
 Program share_sums(Program program);
 
 // Terms of a sum in an order in which most products are fused with additions: products that nothing else needs last.

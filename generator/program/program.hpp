@@ -35,18 +35,45 @@ enum class Group { parameter, x, y, ydot, input, time };
 enum class Unary { tan, asin, acos, exp, log, abs, tanh };
 enum class Binary { atan2, min, max, pow };
 
-struct Constant { Number value; };           // a literal
-struct Variable { Group group; Index index; };  // an entry of an argument
-struct Add { Index a, b; };                  // a + b
-struct Subtract { Index a, b; };             // a - b
-struct Multiply { Index a, b; };             // a * b
-struct Divide { Index a, b; };               // a / b
-struct SquareRoot { Index a; };              // sqrt(a)
-struct Sine { Index a; };                    // sin(a)
-struct Cosine { Index a; };                  // cos(a)
-struct UnaryCall { Unary function; Index a; };
-struct BinaryCall { Binary function; Index a, b; };
-struct Select { Index a, b, sign; };         // sign < 0 ? a : b; derivatives have it
+struct Constant {
+  Number value;
+};  // a literal
+struct Variable {
+  Group group;
+  Index index;
+};  // an entry of an argument
+struct Add {
+  Index a, b;
+};  // a + b
+struct Subtract {
+  Index a, b;
+};  // a - b
+struct Multiply {
+  Index a, b;
+};  // a * b
+struct Divide {
+  Index a, b;
+};  // a / b
+struct SquareRoot {
+  Index a;
+};  // sqrt(a)
+struct Sine {
+  Index a;
+};  // sin(a)
+struct Cosine {
+  Index a;
+};  // cos(a)
+struct UnaryCall {
+  Unary function;
+  Index a;
+};
+struct BinaryCall {
+  Binary function;
+  Index a, b;
+};
+struct Select {
+  Index a, b, sign;
+};  // sign < 0 ? a : b; derivatives have it
 
 using Node = std::variant<Constant, Variable, Add, Subtract, Multiply, Divide, SquareRoot, Sine, Cosine, UnaryCall,
                           BinaryCall, Select>;
@@ -80,13 +107,13 @@ struct Result {
   Index columns = 0;
 };
 
-// Which arguments a function takes, what its result is called in code, and the result's layout. Time comes first where the
-// function reads it; inputs are also taken where it reads them.
+// Which arguments a function takes, what its result is called in code, and the result's layout. Time comes first where
+// the function reads it; inputs are also taken where it reads them.
 struct Signature {
   bool x = true, y = true, ydot = false, inputs = false;
   std::string out = "out";
-  std::string layout;                // "rates of x (nx) [1/s], [m/s]"
-  Index columns = 0;                 // of a matrix whose pattern of entries that are not always 0 is of interest; else 0
+  std::string layout;  // "rates of x (nx) [1/s], [m/s]"
+  Index columns = 0;   // of a matrix whose pattern of entries that are not always 0 is of interest; else 0
   std::vector<Result> results = {};  // of a combined function, one after another; empty: `out` alone
   bool by_inputs = false;            // inputs by number, columns or what events set: the code has all of the scene's
 };
@@ -94,8 +121,8 @@ struct Signature {
 struct Function {
   std::string name;
   std::string meaning;
-  std::vector<Quantity> quantities;    // in order
-  std::vector<Ref> outputs;            // n_out of them, or nine a distinct block where `placements` says where they go
+  std::vector<Quantity> quantities;  // in order
+  std::vector<Ref> outputs;          // n_out of them, or nine a distinct block where `placements` says where they go
   std::vector<Placement> placements;
   Index n_out = 0;
   Index stride = 0;  // of the placements
@@ -118,8 +145,8 @@ struct Program {
   std::vector<Function> functions;
 };
 
-// What a node depends on, the most variable part: a constant, parameters only, or the arguments of a call. Operations on
-// constants that no pass folds, such as their sines, are of the parameters' stage: computed once.
+// What a node depends on, the most variable part: a constant, parameters only, or the arguments of a call. Operations
+// on constants that no pass folds, such as their sines, are of the parameters' stage: computed once.
 enum class Stage : std::uint8_t { constant, parameter, state };
 
 std::vector<Stage> stages(const Program& program);

@@ -27,15 +27,15 @@ Stem stem(const std::string& label, int body);
 // One thing that a section reads, for every member of its class. What is the same for all stands in each.
 struct Leaf {
   LeafKind kind = LeafKind::constant;
-  std::vector<Number> numbers;   // of a constant
-  std::vector<Index> places;     // of an entry of an argument its index, of a result of parameters its node, of a frame
-                                 // the body whose it is
-  std::vector<Index> fields;     // of a frame
+  std::vector<Number> numbers;  // of a constant
+  std::vector<Index> places;    // of an entry of an argument its index, of a result of parameters its node, of a frame
+                                // the body whose it is
+  std::vector<Index> fields;    // of a frame
 };
 
 // A result that other sections read, kept in the frame of its body.
 struct Kept {
-  Ref value;    // in the class's body; never negative
+  Ref value;  // in the class's body; never negative
   Index field;
 };
 
@@ -47,9 +47,9 @@ struct Output {
 
 struct SectionClass {
   Pass pass = Pass::outward;
-  std::vector<Index> bodies;      // of the members, in order of execution; -1 as in Section
-  Program body;                   // one function; its variable x[i] is leaf i, constants are those of all members
-  std::vector<Stem> names;        // of the entries of the body's quantities, one after another
+  std::vector<Index> bodies;  // of the members, in order of execution; -1 as in Section
+  Program body;               // one function; its variable x[i] is leaf i, constants are those of all members
+  std::vector<Stem> names;    // of the entries of the body's quantities, one after another
   std::vector<Leaf> leaves;
   std::vector<Kept> kept;
   std::vector<Output> outputs;

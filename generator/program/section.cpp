@@ -52,8 +52,8 @@ class Cut {
 
   void add(std::size_t i) {
     const Quantity& quantity = function_.quantities[i];
-    const bool goes_on = !result_.list.empty() && result_.list.back().pass == quantity.pass &&
-                         result_.list.back().body == quantity.body;
+    const bool goes_on =
+        !result_.list.empty() && result_.list.back().pass == quantity.pass && result_.list.back().body == quantity.body;
     if (!goes_on) result_.list.push_back({quantity.pass, quantity.body, {}, {}, {}});
     Section& section = result_.list.back();
     section.quantities.push_back(i);

@@ -35,7 +35,7 @@ struct SeriesProduct {
 };
 
 struct Series {
-  Program program;        // the function's nodes, and after them the derivatives of functions that recursions need
+  Program program;          // the function's nodes, and after them the derivatives of functions that recursions need
   std::vector<bool> alive;  // needed for the outputs or the recursions; what follows is by node as well
   std::vector<Recursion> recursions;
   std::vector<std::vector<Term>> terms;  // of integrals

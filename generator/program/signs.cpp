@@ -5,7 +5,9 @@ namespace kanec::program {
 namespace {
 
 bool is_difference(const Node& node) { return std::holds_alternative<Subtract>(node); }
-bool is_product(const Node& node) { return std::holds_alternative<Multiply>(node) || std::holds_alternative<Divide>(node); }
+bool is_product(const Node& node) {
+  return std::holds_alternative<Multiply>(node) || std::holds_alternative<Divide>(node);
+}
 
 }  // namespace
 
@@ -46,8 +48,8 @@ void Signs::count_uses(const Function& function) {
 void Signs::fix_arguments() {
   for (std::size_t i = program_.nodes.size(); i-- > 0;) {
     const Node& node = program_.nodes[i];
-    const bool carries = is_sum(node) || is_product(node) || std::holds_alternative<Sine>(node) ||
-                         std::holds_alternative<Cosine>(node);
+    const bool carries =
+        is_sum(node) || is_product(node) || std::holds_alternative<Sine>(node) || std::holds_alternative<Cosine>(node);
     if (!is_own(static_cast<Index>(i)) || (carries && !fixed_[i])) continue;
     fixed_[i] = true;
     const Operands from = operands(node);

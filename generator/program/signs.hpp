@@ -20,7 +20,8 @@ class Signs {
 
   // Whether a constant that is operand i of the node stands with the other sign.
   bool constant_flipped(Index node, int i) const;
-  // Whether operand i, made or constant as above, enters the node's operation with a minus; of a difference, before its own.
+  // Whether operand i, made or constant as above, enters the node's operation with a minus; of a difference, before its
+  // own.
   bool negative(Index node, int i) const;
 
  private:

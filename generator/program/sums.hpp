@@ -1,5 +1,5 @@
-// Sums of a program as lists of terms: a chain of additions and subtractions whose partial sums nothing else needs. Not:
-// what is done with them (collect.cpp, share_sums.cpp).
+// Sums of a program as lists of terms: a chain of additions and subtractions whose partial sums nothing else needs.
+// Not: what is done with them (collect.cpp, share_sums.cpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -12,8 +12,8 @@ namespace kanec::program {
 
 using Terms = std::vector<Ref>;
 
-// The order of terms: as the operations stand, or as they were written: -(a + b) + c becomes c - (a + b), and is read as
-// the former. Of sums that differ in the signs of constants only, the latter gives the same order.
+// The order of terms: as the operations stand, or as they were written: -(a + b) + c becomes c - (a + b), and is read
+// as the former. Of sums that differ in the signs of constants only, the latter gives the same order.
 enum class TermOrder { as_it_stands, as_written };
 
 struct Sums {
@@ -22,7 +22,7 @@ struct Sums {
   // Takes a sum, and its partial sums, off the lists.
   void leave(const Program& program, Index sum);
 
-  std::vector<bool> inner;      // of each node: a partial sum; its one use is in another sum of its stage, without a name
+  std::vector<bool> inner;  // of each node: a partial sum; its one use is in another sum of its stage, without a name
   std::map<Index, Terms> sums;  // by the node that holds the whole
 };
 

@@ -50,7 +50,8 @@ struct Turning {
 Turning with(Turning turning, const Joint& joint, const Attitude& attitude) {
   for (std::size_t i = 0; i < joint.turns.size(); ++i) {
     if (joint.turns[i].motion == Coordinate::Motion::locked) continue;
-    if (turning.direction && norm(cross(*turning.direction, attitude.axes[i])) > least_direction_sine) turning.several = true;
+    if (turning.direction && norm(cross(*turning.direction, attitude.axes[i])) > least_direction_sine)
+      turning.several = true;
     turning.direction = attitude.axes[i];
   }
   return turning;

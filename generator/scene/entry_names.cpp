@@ -80,7 +80,8 @@ EntryNames::EntryNames(const Scene& scene) {
     const auto at = static_cast<std::size_t>(among);
     numbered_[at] = lists[at];
     printed_[at] = among == parameters || among == inputs ? lists[at] : in_words(scene, lists[at]);
-    for (int i = 0; i < static_cast<int>(lists[at].size()); ++i) entries_[lists[at][static_cast<std::size_t>(i)]] = Entry{among, i};
+    for (int i = 0; i < static_cast<int>(lists[at].size()); ++i)
+      entries_[lists[at][static_cast<std::size_t>(i)]] = Entry{among, i};
   }
   for (const Entry::Among among : {x, y, ydot}) {
     const auto at = static_cast<std::size_t>(among);

@@ -27,7 +27,9 @@ class EntryNames {
   std::optional<Entry> find(const std::string& name) const;
 
   // One name an entry, as it is printed (body_words()).
-  const std::vector<std::string>& printed(Entry::Among among) const { return printed_[static_cast<std::size_t>(among)]; }
+  const std::vector<std::string>& printed(Entry::Among among) const {
+    return printed_[static_cast<std::size_t>(among)];
+  }
   // All that find() knows among these.
   std::vector<std::string> known(const std::vector<Entry::Among>& among) const;
 

@@ -1,5 +1,5 @@
-// An expression of time, coordinates, speeds, parameters and inputs, parsed. Not: its text's rules (parse_expression.hpp)
-// or its values.
+// An expression of time, coordinates, speeds, parameters and inputs, parsed. Not: its text's rules
+// (parse_expression.hpp) or its values.
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

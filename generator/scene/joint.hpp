@@ -8,8 +8,8 @@
 
 namespace kanec::scene {
 
-using Axis = std::array<double, 3>;                      // of unit length
-using Rotation = std::array<std::array<double, 3>, 3>;   // row-major, orthonormal
+using Axis = std::array<double, 3>;                     // of unit length
+using Rotation = std::array<std::array<double, 3>, 3>;  // row-major, orthonormal
 inline constexpr Rotation no_rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 // One angle or one translation of a joint, and how it moves.
@@ -23,9 +23,9 @@ struct Coordinate {
 };
 
 // K's axes against L(K)'s: Rot(axis_1, θ_1) Rot(axis_2, θ_2) … zero takes components in K to components in L(K), where
-// Rot(a, θ) turns by θ about a (right-handed) and each axis is written in L(K)'s axes as it stands when all angles are zero.
-// K's origin: q + Σ axis_i s_i (+ pitch θ_1 axis_1 of a screw), in L(K)'s axes.
-// A ball ignores `turns` and `zero`: its Euler parameters are relative to the inertial frame.
+// Rot(a, θ) turns by θ about a (right-handed) and each axis is written in L(K)'s axes as it stands when all angles are
+// zero. K's origin: q + Σ axis_i s_i (+ pitch θ_1 axis_1 of a screw), in L(K)'s axes. A ball ignores `turns` and
+// `zero`: its Euler parameters are relative to the inertial frame.
 struct Joint {
   std::string kind = "free";       // as written: "revolute"
   bool ball = true;                // Euler parameters and absolute ω in body axes

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// toml++ 3.3 asserts what some malformed texts violate ("[" and a line's end), and then reports them as errors: the errors
-// are wanted, also where the library comes as headers with assertions on.
+// toml++ 3.3 asserts what some malformed texts violate ("[" and a line's end), and then reports them as errors: the
+// errors are wanted, also where the library comes as headers with assertions on.
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #include <toml++/toml.h>
 

@@ -194,7 +194,8 @@ class Parser {
     token_.type = Token::Type::number;
     token_.text = text_.substr(token_.begin, std::max<std::size_t>(1, static_cast<std::size_t>(end - begin)));
     // a number too small for a double is zero to every purpose, but its digits were meant: refused as well
-    if (error != std::errc() || token_.value > largest_number) refuse("a number, in magnitude at most " + shortest(largest_number));
+    if (error != std::errc() || token_.value > largest_number)
+      refuse("a number, in magnitude at most " + shortest(largest_number));
   }
 
   void name() {

@@ -92,8 +92,8 @@ void read_tree(const Table& root, Symbols& symbols, Scene& scene) {
 }
 
 Scene read_scene(const Table& root) {
-  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "event", "simulate",
-             "ensemble"});
+  root.only({"name", "connection", "gravity", "functions", "parameters", "inputs", "body", "point", "load", "event",
+             "simulate", "ensemble"});
   Scene scene;
   Symbols symbols;
   scene.name = read_scene_name(root.at("name", "the name of the scene"));

@@ -18,7 +18,7 @@ constexpr auto motion_entry =
 
 // Refuses keys that no joint has as unknown ones, and those of other joints with what this one has.
 void check_motion_keys(const Table& table, const std::vector<std::string>& own, const std::vector<std::string>& all,
-                const JointKind& kind) {
+                       const JointKind& kind) {
   for (const auto& [key, node] : table.entries()) {
     if (std::find(own.begin(), own.end(), key) != own.end()) continue;
     const bool known = std::find(all.begin(), all.end(), key) != all.end();

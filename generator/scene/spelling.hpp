@@ -1,5 +1,5 @@
-// Names of a scene that emitted code spells otherwise, since where it is included they may be macros, or keywords of C. Not:
-// names that no scene may have (symbols.cpp).
+// Names of a scene that emitted code spells otherwise, since where it is included they may be macros, or keywords of C.
+// Not: names that no scene may have (symbols.cpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 

@@ -18,9 +18,8 @@ constexpr std::array reserved = {"kanec", "std",   "T",      "Parameters", "Inpu
                                  "NAN",   "errno", "assert", "INFINITY",   "HUGE_VAL", "linux",    "unix"};
 
 // Namespaces of kanec itself, beside which the one of a scene would stand.
-constexpr std::array namespaces = {"scene",     "symbolic", "program", "lower",  "emit",  "generic",
-                                   "integrate", "compile",  "cli",     "detail", "lanes", "Lanes",
-                                   "kanec_cos_sin", "kanec_series"};
+constexpr std::array namespaces = {"scene",   "symbolic", "program", "lower", "emit",  "generic",       "integrate",
+                                   "compile", "cli",      "detail",  "lanes", "Lanes", "kanec_cos_sin", "kanec_series"};
 
 template <class List>
 bool contains(const List& list, const std::string& name) {

@@ -54,9 +54,8 @@ void AccelerationChain::add_spin(int k) {
     return;
   }
   if (link.turns_with_lower && GiNaC::is_a<Atom>(link.omega))
-    rates_.set(link.omega,
-               define("omegadot", "\\dot\\omega", k, factored(rates_.of(link.omega_value)),
-                      "angular acceleration, body axes [rad/s^2]"));
+    rates_.set(link.omega, define("omegadot", "\\dot\\omega", k, factored(rates_.of(link.omega_value)),
+                                  "angular acceleration, body axes [rad/s^2]"));
   spin_.push_back(define("U", "U", k, spin_value(rates_, link.omega),
                          "takes a point fixed in the body to its acceleration due to rotation, body axes [1/s^2]"));
 }

@@ -12,8 +12,8 @@ namespace kanec::symbolic {
 // v_K then changes by the same g t. In home axes.
 class AccelerationChain {
  public:
-  // `rates` gives the rates of the speeds. beside_rest: by link, whether the same letters stand in the same function for
-  // what they are at ẏ = 0; they are called solved here, "U_solved_1".
+  // `rates` gives the rates of the speeds. beside_rest: by link, whether the same letters stand in the same function
+  // for what they are at ẏ = 0; they are called solved here, "U_solved_1".
   AccelerationChain(Derivation& derivation, Rates rates, std::vector<bool> beside_rest = {});
 
   // The next link, from 1 on: ω̇ and U, then P̈. A known P̈ (home axes) stands for what the lower link gives.

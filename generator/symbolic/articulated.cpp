@@ -313,9 +313,8 @@ ex Articulated::follow_turn(const ex& turned, int k) {
   const bool is_plain = of.normal.is_equal(1);
   found(k, 0, is_plain ? along : along - dot(c.axis, spin));
   if (const ex& pitch = derivation_.letters(k).pitch; !pitch.is_zero()) {
-    origin_[at] =
-        define("betas", k, origin_[at] + pitch * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
-               "acceleration of the origin on its screw [m/s^2]", Pass::solved);
+    origin_[at] = define("betas", k, origin_[at] + pitch * along * derivation_.in_axes(c.axis, k, derivation_.home(k)),
+                         "acceleration of the origin on its screw [m/s^2]", Pass::solved);
   }
   return define("alpha", k, (is_plain ? spin : of.normal * spin) + along * c.axis,
                 "angular acceleration beyond that at ydot = 0, body axes [rad/s^2]", Pass::solved);

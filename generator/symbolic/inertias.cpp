@@ -43,14 +43,19 @@ class Regrouping {
     const auto define = [&](const char* name, const char* latex, const ex& value, const char* meaning, bool symmetric) {
       return derivation_.define(name, latex, k, Pass::outward, value, meaning, symmetric);
     };
-    own.mass = define("m_all_", "m_{\\mathrm{all}\\,#}", own.mass, "mass, with what links above leave to it [kg]", false);
-    own.moment = define("h_all_", "h_{\\mathrm{all}\\,#}", sum(expanded(own.moment)), "first moment, likewise, link axes [kg m]", false);
-    own.inertia = define("J_all_", "J_{\\mathrm{all}\\,#}", own.inertia, "inertia about the origin, likewise, link axes [kg m^2]", true);
+    own.mass =
+        define("m_all_", "m_{\\mathrm{all}\\,#}", own.mass, "mass, with what links above leave to it [kg]", false);
+    own.moment = define("h_all_", "h_{\\mathrm{all}\\,#}", sum(expanded(own.moment)),
+                        "first moment, likewise, link axes [kg m]", false);
+    own.inertia = define("J_all_", "J_{\\mathrm{all}\\,#}", own.inertia,
+                         "inertia about the origin, likewise, link axes [kg m^2]", true);
     if (gives) give(k, own);
     own.reference = 0;
     own.regrouped = true;
-    own.moment = define("h_own_", "h_{\\mathrm{own}\\,#}", own.moment, "first moment that the joint feels, link axes [kg m]", false);
-    own.inertia = define("J_own_", "J_{\\mathrm{own}\\,#}", own.inertia, "inertia that the joint feels, link axes [kg m^2]", true);
+    own.moment = define("h_own_", "h_{\\mathrm{own}\\,#}", own.moment,
+                        "first moment that the joint feels, link axes [kg m]", false);
+    own.inertia = define("J_own_", "J_{\\mathrm{own}\\,#}", own.inertia,
+                         "inertia that the joint feels, link axes [kg m^2]", true);
     return own;
   }
 

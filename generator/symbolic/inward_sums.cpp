@@ -27,8 +27,8 @@ void InwardSums::add(int k, const Balance& balance) {
   const auto at = static_cast<std::size_t>(k);
   const Letters& link = derivation_.letters(k);
   ex force = balance.force[at];
-  ex moment = balance.moment[at] + skew(derivation_.inertia(k).reference) *
-                                   derivation_.in_axes(balance.force[at], derivation_.home(k), k);
+  ex moment = balance.moment[at] +
+              skew(derivation_.inertia(k).reference) * derivation_.in_axes(balance.force[at], derivation_.home(k), k);
   for (const int c : derivation_.mechanism().children(k)) {
     if (!passes_on(c)) continue;
     const Letters& above = derivation_.letters(c);

@@ -70,7 +70,9 @@ class Builder {
   }
 
  private:
-  bool moves(const scene::Coordinate& c) const { return c.motion != scene::Coordinate::Motion::locked || !reductions_.drop_locks; }
+  bool moves(const scene::Coordinate& c) const {
+    return c.motion != scene::Coordinate::Motion::locked || !reductions_.drop_locks;
+  }
 
   void add(int k) {
     const auto at = static_cast<std::size_t>(k - 1);
@@ -289,7 +291,8 @@ std::optional<scene::Axis> centre_of(const scene::Body& body, const BodyPlace& p
 }
 
 // Of all bodies on a link; nothing where that is not constant.
-std::optional<scene::Axis> centre_of(const scene::Scene& scene, const Mechanism& mechanism, const std::vector<int>& bodies) {
+std::optional<scene::Axis> centre_of(const scene::Scene& scene, const Mechanism& mechanism,
+                                     const std::vector<int>& bodies) {
   scene::Axis moment{};
   double mass = 0.0;
   for (const int k : bodies) {

@@ -15,9 +15,9 @@ struct Reductions {
   bool merge_welds = true;  // bodies that do not move against each other become one link
   bool drop_locks = true;   // a locked coordinate is a constant of the geometry, not a coordinate with a constant value
   bool place_origins = true;  // origins moved along the axes of turns, so that offsets have zeros
-  bool regroup = true;     // what a joint cannot feel of a link's mass and inertia belongs to the lower link
-  bool turn_axes = true;   // axes of last links turned about their joints, so that mass centres have zeros
-  int group = any_number;  // of how many links' masses one holds then; on long chains few cost fewer digits
+  bool regroup = true;        // what a joint cannot feel of a link's mass and inertia belongs to the lower link
+  bool turn_axes = true;      // axes of last links turned about their joints, so that mass centres have zeros
+  int group = any_number;     // of how many links' masses one holds then; on long chains few cost fewer digits
 
   static constexpr int any_number = 1 << 30;
   bool operator==(const Reductions&) const = default;

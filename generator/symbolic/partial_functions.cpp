@@ -28,8 +28,8 @@ class Placement {
     const Speed& speed = derivation_.equations.speeds[static_cast<std::size_t>(column)];
     auto at = named_.find(block);
     if (at == named_.end()) at = named_.emplace(block, name(block, speed)).first;
-    function_.outputs.push_back({at->second, 3 * ny * (k - 1) + speed.row, ny, false,
-                                 shape_of(speed.letter) == Shape::vector});
+    function_.outputs.push_back(
+        {at->second, 3 * ny * (k - 1) + speed.row, ny, false, shape_of(speed.letter) == Shape::vector});
   }
 
  private:

@@ -33,7 +33,9 @@ std::string chance() {
   return fingerprint({reinterpret_cast<const char*>(&number), sizeof number}).substr(0, digits);
 }
 
-fs::path temporary_folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+fs::path temporary_folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
 
 Descriptor new_file(const fs::path& path) {
   return Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));

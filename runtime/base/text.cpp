@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/base/text.hpp"
 
-#include <cstdlib>
-#include <cmath>
-#include <cctype>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace kanec {

@@ -11,8 +11,8 @@
 
 namespace kanec {
 
-// With the pieces that a long function is cut into, or the sections that it loops over; nothing where the library has no symbols of its own (compiled with
-// -s).
+// With the pieces that a long function is cut into, or the sections that it loops over; nothing where the library has
+// no symbols of its own (compiled with -s).
 std::optional<std::size_t> code_bytes(const compile::Model& model, const std::string& function);
 
 }  // namespace kanec

@@ -1,5 +1,5 @@
-/* What kanec bench, kanec report and the adapters of other engines (tests/bench/peers) agree on: a model and its states in relative
-   coordinates, in plain C. Not for embedders. SPDX-License-Identifier: BSD-3-Clause */
+/* What kanec bench, kanec report and the adapters of other engines (tests/bench/peers) agree on: a model and its states
+   in relative coordinates, in plain C. Not for embedders. SPDX-License-Identifier: BSD-3-Clause */
 #ifndef KANEC_PEER_ABI_H
 #define KANEC_PEER_ABI_H
 
@@ -26,9 +26,9 @@ typedef struct kanec_peer_body {
   double zero[9];    /* K's components to L(K)'s when all angles are zero; of a ball the identity */
 } kanec_peer_body;
 
-/* Body by body: q has the slides, then the angles or a ball's Euler parameters, which take components in K to components
-   in L(K), scalar last; u the rates of slides and angles, of a ball the angular velocity relative to L(K), K's axes;
-   force what does work on u. */
+/* Body by body: q has the slides, then the angles or a ball's Euler parameters, which take components in K to
+   components in L(K), scalar last; u the rates of slides and angles, of a ball the angular velocity relative to L(K),
+   K's axes; force what does work on u. */
 typedef struct kanec_peer_model {
   int32_t n_bodies, n_q, n_u;
   const kanec_peer_body* bodies; /* (n_bodies) */
@@ -52,8 +52,8 @@ typedef struct kanec_peer_run {
 } kanec_peer_run;
 
 typedef struct kanec_peer_motion {
-  double *q, *u;   /* (n_times * n_q), (n_times * n_u) */
-  double seconds;  /* wall time of the integration alone */
+  double *q, *u;  /* (n_times * n_q), (n_times * n_u) */
+  double seconds; /* wall time of the integration alone */
   int64_t steps, evaluations;
   int32_t is_late; /* given up at the limit */
 } kanec_peer_motion;

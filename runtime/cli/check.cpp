@@ -151,8 +151,8 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  const auto [command, options] =
-      add_command(app, action, "check", "the compiled functions against two independent computations", check_footer, &check);
+  const auto [command, options] = add_command(
+      app, action, "check", "the compiled functions against two independent computations", check_footer, &check);
   add_scene(*command, options->scene, "a scene.toml, a folder that holds one, or a folder of these");
   command->add_option("--states", options->states, "random states (32)")
       ->option_text("NUMBER")

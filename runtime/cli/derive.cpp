@@ -62,8 +62,8 @@ int derive(const DeriveOptions& options) {
 }  // namespace
 
 void add_derive(CLI::App& app, Action& action) {
-  const auto [command, options] =
-      add_command(app, action, "derive", "Kane's equations of a scene, symbolically, block by block", derive_footer, &derive);
+  const auto [command, options] = add_command(
+      app, action, "derive", "Kane's equations of a scene, symbolically, block by block", derive_footer, &derive);
   add_scene(*command, options->scene);
   command->add_option("--format", options->format, "how to print them (text)")
       ->option_text("text|latex|json")

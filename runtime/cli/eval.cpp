@@ -81,8 +81,9 @@ std::vector<double> evaluate(const EvalOptions& options, const scene::Scene& sce
   return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
 }
 
-std::function<const std::vector<double>&(const State&)> evaluation(const EvalOptions& options, const scene::Scene& scene,
-                                                                    const std::optional<CompiledModel>& model) {
+std::function<const std::vector<double>&(const State&)> evaluation(const EvalOptions& options,
+                                                                   const scene::Scene& scene,
+                                                                   const std::optional<CompiledModel>& model) {
   if (model) return compiled_function(model->library.abi(), scene, emitted_name(options.function));
   const auto values = std::make_shared<std::vector<double>>();
   return [&options, &scene, values](const State& state) -> const std::vector<double>& {
@@ -92,7 +93,8 @@ std::function<const std::vector<double>&(const State&)> evaluation(const EvalOpt
 
 int evaluate_states(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
   if (!options.input.empty() || options.show_template || options.json)
-    throw InputError("--states: found it beside --input, --template or --json; allowed: --states FILE with --format and -o");
+    throw InputError(
+        "--states: found it beside --input, --template or --json; allowed: --states FILE with --format and -o");
   const scene::Scene set = with_settings(scene, options.settings);
   const TableFormat format =
       options.format.empty() ? table_format_of_file(options.states) : table_format_of(options.format);
@@ -168,7 +170,7 @@ std::string text_of(const EvalOptions& options, const scene::Scene& scene, const
 }
 
 Json eval_json(const EvalOptions& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
-             std::span<const double> values) {
+               std::span<const double> values) {
   Json json = {{"model", scene.name}, {"function", options.function}, {"path", options.path}};
   json["state"] = state_json(scene, state);
   Json& result = json["result"] = Json::object();
@@ -214,13 +216,14 @@ int eval(const EvalOptions& given) {
 }  // namespace
 
 void add_eval(CLI::App& app, Action& action) {
-  const auto [command, options] =
-      add_command(app, action, "eval", "one function in one state or in many, by name, to all digits: for anybody's verification",
-                  eval_footer, &eval);
+  const auto [command, options] = add_command(
+      app, action, "eval", "one function in one state or in many, by name, to all digits: for anybody's verification",
+      eval_footer, &eval);
   add_scene(*command, options->scene);
   command->add_option("FUNCTION", options->function, "its name, as below")->option_text(" ");
   command->add_option("--input", options->input, "the state as JSON; - is standard input")->option_text("FILE");
-  command->add_option("--states", options->states, "many states instead, as below; - is standard input")->option_text("FILE");
+  command->add_option("--states", options->states, "many states instead, as below; - is standard input")
+      ->option_text("FILE");
   command->add_option("--format", options->format, "of --states (by the file's ending)")
       ->option_text("csv|jsonl|npy")
       ->check(CLI::IsMember({"csv", "jsonl", "npy"}));

@@ -1,5 +1,7 @@
 // kanec functions: what can be asked for of a scene.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/model/functions.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +10,6 @@
 #include "generator/scene/states.hpp"
 #include "runtime/cli/commands.hpp"
 #include "runtime/cli/scene_argument.hpp"
-#include "runtime/model/functions.hpp"
 #include "runtime/model/result_layout.hpp"
 #include "runtime/terminal/output.hpp"
 #include "runtime/text/json.hpp"
@@ -75,12 +76,9 @@ Json functions_json(const scene::Scene& scene, const std::vector<Available>& all
     Json blocks = Json::array();
     for (const Block& block : layout.blocks)
       blocks.push_back({{"name", block.name}, {"shape", block.shape}, {"unit", block.unit}});
-    Json one = {{"name", function.name},
-                {"meaning", function.meaning},
-                {"usual", function.usual},
-                {"arguments", arguments_of(function, scene)},
-                {"size", layout.size()},
-                {"blocks", std::move(blocks)}};
+    Json one = {{"name", function.name},   {"meaning", function.meaning},
+                {"usual", function.usual}, {"arguments", arguments_of(function, scene)},
+                {"size", layout.size()},   {"blocks", std::move(blocks)}};
     if (!layout.rows.empty()) one["rows"] = layout.rows;
     if (!layout.columns.empty()) one["columns"] = layout.columns;
     list.push_back(std::move(one));
@@ -101,8 +99,9 @@ int functions(const FunctionsOptions& options) {
 }  // namespace
 
 void add_functions_command(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(app, action, "functions", "all that can be asked for of a scene, with shape and unit",
-                                              functions_footer, &functions);
+  const auto [command, options] =
+      add_command(app, action, "functions", "all that can be asked for of a scene, with shape and unit",
+                  functions_footer, &functions);
   add_scene(*command, options->scene);
   command->add_flag("--json", options->json, "for machines");
 }

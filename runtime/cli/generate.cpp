@@ -221,8 +221,7 @@ void add_language(CLI::App& command, emit::Language& language) {
   const auto set = [&language](const std::string& text) {
     language = text == "c" ? emit::Language::c : emit::Language::cpp;
   };
-  command
-      .add_option_function<std::string>("--language", set, "the header in C++17 (cpp, the default) or C99 (c)")
+  command.add_option_function<std::string>("--language", set, "the header in C++17 (cpp, the default) or C99 (c)")
       ->check(CLI::IsMember({"cpp", "c"}))
       ->option_text("cpp|c");
 }
@@ -231,8 +230,8 @@ void add_language(CLI::App& command, emit::Language& language) {
 
 void add_generate(CLI::App& app, Action& action) {
   const auto [command, options] =
-      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted", generate_footer,
-                  &generate_files);
+      add_command(app, action, "generate", "the emitted C++ or C header of a scene, with its operations counted",
+                  generate_footer, &generate_files);
   add_scene(*command, options->scene);
   add_functions(*command, options->functions);
   add_algorithm(*command, options->algorithm);

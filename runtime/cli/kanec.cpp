@@ -110,7 +110,9 @@ int parse_and_act(int argc, char** argv) {
     return refused;
   }
   if (action) return action();
-  remark("a command is needed: derive, generate, simulate, check, eval, functions, bench, ledger or report; see kanec --help");
+  remark(
+      "a command is needed: derive, generate, simulate, check, eval, functions, bench, ledger or report; see kanec "
+      "--help");
   return refused;
 }
 

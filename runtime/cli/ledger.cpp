@@ -10,8 +10,8 @@
 #include "runtime/model/costs.hpp"
 #include "runtime/model/scene_files.hpp"
 #include "runtime/terminal/interrupt.hpp"
-#include "runtime/terminal/progress.hpp"
 #include "runtime/terminal/output.hpp"
+#include "runtime/terminal/progress.hpp"
 #include "runtime/text/json.hpp"
 
 namespace kanec::cli {

@@ -25,7 +25,6 @@
 namespace kanec::cli {
 namespace {
 
-
 constexpr auto report_footer =
     R"(Example: which integrator for the double pendulum, which tolerance, at what cost, as tables and as a picture
   kanec report models/double_pendulum --integration --error 1e-9 --plot pendulum.svg

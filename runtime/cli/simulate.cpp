@@ -199,8 +199,7 @@ std::string body_named(const scene::Scene& scene, const std::string& message) {
 }
 
 Summary integrate_model(const kanec_model& model, const scene::Scene& scene, const State& start,
-                                   const integrate::Options& options, Outputs& outputs,
-                                   const Interrupts& interrupts) {
+                        const integrate::Options& options, Outputs& outputs, const Interrupts& interrupts) {
   const Solver solver = solver_of(model, scene, start);
   ProgressBar bar(scene.name);
   const auto progress = [&](double fraction) {
@@ -314,8 +313,9 @@ void add_files(CLI::App& command, SimulateOptions& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(
-      app, action, "simulate", "compile a scene (once), integrate it, tell what became of it", simulate_footer, &simulate_scene);
+  const auto [command, options] =
+      add_command(app, action, "simulate", "compile a scene (once), integrate it, tell what became of it",
+                  simulate_footer, &simulate_scene);
   add_scene(*command, options->scene);
   command->add_option("--duration", options->duration, "from t = 0 [s]")->option_text("SECONDS")->check(positive());
   command->add_option("--output-step", options->output_step, "between rows [s]")

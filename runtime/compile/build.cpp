@@ -95,8 +95,11 @@ std::string version_from(const std::optional<Cache>& cache, const Compiler& comp
 
 Job plan(const Source& source, const Options& options, const std::optional<Cache>& cache) {
   if (!is_identifier(source.name)) throw InternalError("model name is no identifier: " + source.name);
-  Job job{source, locate_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar),
-          options.flags_given ? options.flags : default_flags(), {}, {}};
+  Job job{source,
+          locate_compiler(options.compiler, source.is_batch ? Code::lanes : Code::scalar),
+          options.flags_given ? options.flags : default_flags(),
+          {},
+          {}};
   job.compiler.version = version_from(cache, job.compiler);
   return job;
 }

@@ -113,7 +113,8 @@ std::string Cache::recall(const std::string& question) const {
   try {
     constexpr std::size_t longest = 1 << 16;
     const fs::path path = folder_ / "answers" / fingerprint(question);
-    if (!fs::exists(path) || !fs::is_regular_file(fs::symlink_status(subfolder("answers") / path.filename()))) return "";
+    if (!fs::exists(path) || !fs::is_regular_file(fs::symlink_status(subfolder("answers") / path.filename())))
+      return "";
     const std::string text = read_file(path, longest);
     return text.rfind(question + "\n", 0) == 0 ? text.substr(question.size() + 1) : "";
   } catch (const FileError&) {

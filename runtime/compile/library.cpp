@@ -42,7 +42,8 @@ void check_version(const kanec_model& model, const Source& expected) {
 void check(const kanec_model& model, const Source& expected) {
   check_version(model, expected);
   const std::string hash = model.hash != nullptr ? model.hash : "";
-  if (!expected.hash.empty() && hash != expected.hash) fail(expected, "hash is " + hash + ", expected " + expected.hash);
+  if (!expected.hash.empty() && hash != expected.hash)
+    fail(expected, "hash is " + hash + ", expected " + expected.hash);
   require_equal(expected, "nx", model.nx, expected.nx);
   require_equal(expected, "ny", model.ny, expected.ny);
   if (model.functions == nullptr) fail(expected, "descriptor without functions");
@@ -76,7 +77,8 @@ void require_whole(const std::filesystem::path& path) {
   if (!file.read(reinterpret_cast<char*>(&header), sizeof(header)) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0)
     throw FileError(path.string(), "no shared library");
   const std::uintmax_t sections = header.e_shoff + std::uintmax_t{header.e_shentsize} * header.e_shnum;
-  std::uintmax_t end = std::max<std::uintmax_t>(sections, header.e_phoff + std::uintmax_t{header.e_phentsize} * header.e_phnum);
+  std::uintmax_t end =
+      std::max<std::uintmax_t>(sections, header.e_phoff + std::uintmax_t{header.e_phentsize} * header.e_phnum);
   file.seekg(static_cast<std::streamoff>(std::min<std::uintmax_t>(header.e_phoff, bytes)));
   for (int i = 0; i < header.e_phnum; ++i) {
     ElfW(Phdr) part{};

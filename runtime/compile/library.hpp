@@ -18,8 +18,8 @@ class Library {
   // loaded by its path all the same, because the loader takes one name for one library, as debuggers do, and
   // /proc/self/fd/N is many; nobody else can put another file there (trusted_folder.hpp).
   Library(const std::filesystem::path& path, const Source& expected, const Descriptor& looked_at = Descriptor());
-  // Loads a file whose model is not known: ABI version and size are checked. Throws FileError where it is not there or not
-  // whole, LoadError.
+  // Loads a file whose model is not known: ABI version and size are checked. Throws FileError where it is not there or
+  // not whole, LoadError.
   explicit Library(const std::filesystem::path& path);
   const kanec_model& model() const { return *model_; }
   bool is_batch() const { return batch_ != nullptr; }

@@ -29,15 +29,17 @@ std::int64_t stride_of(Order order, std::int64_t count) { return order == Order:
 
 void require_numbers(const kanec_model& model, const std::string& what, std::size_t found, std::int64_t count, int n) {
   if (found == static_cast<std::size_t>(count) * static_cast<std::size_t>(n)) return;
-  throw InputError(std::string(model.name) + ", " + what + ": found " + std::to_string(found) + " numbers; allowed: " +
-                   std::to_string(count) + " times " + std::to_string(n));
+  throw InputError(std::string(model.name) + ", " + what + ": found " + std::to_string(found) +
+                   " numbers; allowed: " + std::to_string(count) + " times " + std::to_string(n));
 }
 
 template <class Real>
-void evaluate_batch(BatchSolver<Real>& solver, const Function& function, const StatesView<Real>& states, std::span<Real> out) {
+void evaluate_batch(BatchSolver<Real>& solver, const Function& function, const StatesView<Real>& states,
+                    std::span<Real> out) {
   const kanec_model& model = solver.model();
   require_of(model, function);
-  if (states.count < 0) throw InputError("states: found a count of " + std::to_string(states.count) + "; allowed: 0 or more");
+  if (states.count < 0)
+    throw InputError("states: found a count of " + std::to_string(states.count) + "; allowed: 0 or more");
   const kanec_function& called = model.functions[function.number];
   const std::string where = function.name + ": ";
   const auto require = [&](std::uint32_t flag, const char* what, std::size_t found, int n) {

@@ -57,8 +57,8 @@ Choice chosen(const char* what, const std::string& found, const std::vector<std:
     if (name == found) return choice;
     names.push_back(name);
   }
-  throw InputError(std::string(what) + ": found " + scene::in_quotes(found) + "; allowed: " +
-                   scene::one_of(names, found));
+  throw InputError(std::string(what) + ": found " + scene::in_quotes(found) +
+                   "; allowed: " + scene::one_of(names, found));
 }
 
 emit::Optimize optimize_of(const Emission& emission) {
@@ -75,9 +75,9 @@ std::optional<symbolic::Algorithm> algorithm_of(const Emission& emission) {
 }
 
 Products products_of(const Emission& emission) {
-  const Products products{chosen<emit::Language>("language", emission.language,
-                                                 {{"cpp", emit::Language::cpp}, {"c", emit::Language::c}}),
-                          emission.abi, emission.taylor};
+  const Products products{
+      chosen<emit::Language>("language", emission.language, {{"cpp", emit::Language::cpp}, {"c", emit::Language::c}}),
+      emission.abi, emission.taylor};
   check_products(products);
   return products;
 }
@@ -131,7 +131,8 @@ WatchedEvent watched(const integrate::Event& from) {
   using Direction = integrate::Event::Direction;
   WatchedEvent event{from.name, 0, from.stops, from.has_row, {}};
   event.direction = from.direction == Direction::up ? 1 : from.direction == Direction::down ? -1 : 0;
-  for (const integrate::Event::Setting& setting : from.settings) event.settings.push_back({setting.input, setting.value});
+  for (const integrate::Event::Setting& setting : from.settings)
+    event.settings.push_back({setting.input, setting.value});
   return event;
 }
 
@@ -192,9 +193,17 @@ std::vector<double> Scene::initial_y() const { return initial_speeds(data_->scen
 Run Scene::run() const {
   const scene::Simulation& from = data_->scene.simulation;
   const integrate::Options options = integration_options(data_->scene, from);
-  Run run{from.duration,           from.output_step,        from.integrator, from.step,
-          from.longest_step,       from.relative_tolerance, from.absolute_tolerance, from.order,
-          from.jacobian,           options.has_kinks,       {}};
+  Run run{from.duration,
+          from.output_step,
+          from.integrator,
+          from.step,
+          from.longest_step,
+          from.relative_tolerance,
+          from.absolute_tolerance,
+          from.order,
+          from.jacobian,
+          options.has_kinks,
+          {}};
   for (const integrate::Event& event : options.events) run.events.push_back(watched(event));
   return run;
 }
@@ -212,8 +221,9 @@ Scene Scene::with(const std::vector<Quantity>& values) const {
         found = true;
       }
     if (!found)
-      throw InputError(set.name + ": found " + scene::in_quotes(quantity.name) + "; allowed: " +
-                       (names.empty() ? "none, it has neither parameters nor inputs" : scene::one_of(names, quantity.name)));
+      throw InputError(
+          set.name + ": found " + scene::in_quotes(quantity.name) + "; allowed: " +
+          (names.empty() ? "none, it has neither parameters nor inputs" : scene::one_of(names, quantity.name)));
   }
   check_defaults(set, set.name);
   return Scene(std::make_shared<Data>(Data{data_->as_read, std::move(set)}));
@@ -226,8 +236,8 @@ std::vector<Offer> Scene::functions() const {
   std::vector<Offer> list;
   for (const Available& from : functions.all()) {
     const program::Signature& reads = from.signature;
-    list.push_back({from.name, from.meaning, shape_of(result_layouts(scene, from.name).front()), reads_time(scene), reads.x,
-                    reads.y, reads.ydot, reads.inputs && !scene.inputs.empty(), from.usual});
+    list.push_back({from.name, from.meaning, shape_of(result_layouts(scene, from.name).front()), reads_time(scene),
+                    reads.x, reads.y, reads.ydot, reads.inputs && !scene.inputs.empty(), from.usual});
   }
   return list;
 }
@@ -273,9 +283,8 @@ Batch Scene::compile_batch(const Emission& emission, const Compilation& compilat
     throw InputError("lanes: found " + std::to_string(lanes) + "; allowed: 0, or a power of two up to 64");
   if (emission.taylor || emission.language != "cpp" || emission.abi)
     throw InputError("a batch: found language c, abi or taylor; allowed: cpp without them");
-  const auto owner = std::make_shared<const CompiledModel>(
-      build_batch(data_->as_read, requests_of(data_->as_read, emission), build_options(emission, compilation),
-                  {scalar, lanes}));
+  const auto owner = std::make_shared<const CompiledModel>(build_batch(
+      data_->as_read, requests_of(data_->as_read, emission), build_options(emission, compilation), {scalar, lanes}));
   const kanec_batch& batch = owner->library.batch();
   return {batch, Model(*batch.model, owner).with(quantities_of(data_->scene)), threads};
 }
@@ -290,7 +299,8 @@ std::vector<Agreed> Scene::check(const Emission& emission, const Compilation& co
   for (const Agreement& a : agreements(data_->scene, model, samples(data_->scene, states, seed), [&](double) {
          if (compilation.poll) compilation.poll();
        }))
-    list.push_back({a.function, a.largest_ulps, a.median_ulps, a.generic, a.generic_double, a.undefined, bounds.hold(a)});
+    list.push_back(
+        {a.function, a.largest_ulps, a.median_ulps, a.generic, a.generic_double, a.undefined, bounds.hold(a)});
   return list;
 }
 

@@ -53,8 +53,8 @@ class CompiledModel {
 
 // What the scene asks for, or the usual functions, where `functions` is empty; with Taylor series where they have all
 // rates in one. Throws InputError, BuildError, LoadError, Interrupted.
-CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions,
-                    const BuildOptions& options, bool with_taylor = false);
+CompiledModel build(const scene::Scene& scene, const std::vector<std::string>& functions, const BuildOptions& options,
+                    bool with_taylor = false);
 
 // The same for lanes (runtime/abi/batch_solver.hpp), a library of its own: its `library.batch()` is for BatchSolver.
 // scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.

@@ -47,17 +47,21 @@ double& find(scene::Scene& scene, const std::string& name) {
   const std::optional<scene::Entry> entry = names.find(name);
   if (!entry || entry->among == ydot) {
     const bool has_values = !scene.parameters.empty() || !scene.inputs.empty();
-    const std::vector<std::string> values = names.known({parameters, inputs}), all = names.known({parameters, inputs, x, y});
-    if (nearest(name, values).empty() && !nearest(name, all).empty()) refuse_setting(scene::in_quotes(name), listed(all, name));
+    const std::vector<std::string> values = names.known({parameters, inputs}),
+                                   all = names.known({parameters, inputs, x, y});
+    if (nearest(name, values).empty() && !nearest(name, all).empty())
+      refuse_setting(scene::in_quotes(name), listed(all, name));
     if (!has_values)
-      refuse_setting(scene::in_quotes(name), "coordinates and speeds: scene " + scene.name + " has no parameters and no inputs");
+      refuse_setting(scene::in_quotes(name),
+                     "coordinates and speeds: scene " + scene.name + " has no parameters and no inputs");
     refuse_setting(scene::in_quotes(name), listed(values, name));
   }
   if (entry->among == parameters) return scene.parameters[static_cast<std::size_t>(entry->index)].value;
   if (entry->among == inputs) return scene.inputs[static_cast<std::size_t>(entry->index)].value;
   double* const value = initial_value(scene, *entry);
   if (value == nullptr)
-    refuse_setting(scene::in_quotes(name) + ", an Euler parameter alone", "what is no part of an attitude: [body.initial] has all four");
+    refuse_setting(scene::in_quotes(name) + ", an Euler parameter alone",
+                   "what is no part of an attitude: [body.initial] has all four");
   return *value;
 }
 

@@ -23,9 +23,9 @@
 namespace kanec {
 
 struct State {
-  double t = 0.0;                         // [s]
-  std::vector<double> x, y, ydot;         // empty: not given
-  std::vector<double> parameters, inputs; // all of the scene's, in its order
+  double t = 0.0;                          // [s]
+  std::vector<double> x, y, ydot;          // empty: not given
+  std::vector<double> parameters, inputs;  // all of the scene's, in its order
 };
 
 // What the scene begins with, ydot zero.

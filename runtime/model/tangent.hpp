@@ -14,7 +14,8 @@ namespace kanec {
 // Columns of a matrix by x (rows × nx) in the directions of ξ (rows × ny): of a ball, those of the rotation vector φ in
 // body axes, δe = ½(ε4 φ + e × φ), δε4 = -½ e·φ; of all other coordinates, themselves.
 template <class Real>
-std::vector<Real> along_tangent(const scene::Scene& scene, const std::vector<double>& x, const std::vector<Real>& by_x) {
+std::vector<Real> along_tangent(const scene::Scene& scene, const std::vector<double>& x,
+                                const std::vector<Real>& by_x) {
   const scene::Layout layout(scene);
   const auto nx = static_cast<std::size_t>(layout.nx), ny = static_cast<std::size_t>(layout.ny);
   std::vector<Real> result(nx == 0 ? 0 : by_x.size() / nx * ny, Real(0));

@@ -66,7 +66,8 @@ std::vector<Panel> panels(const StateNames& names) {
   for (std::size_t kind = 0; kind < by_kind.size(); ++kind)
     by_kind[kind] = {headings[kind].title, headings[kind].axis, {}, {}};
   for (std::size_t i = 0; i < names.coordinates.size(); ++i) add(by_kind, names, names.coordinates[i], i);
-  for (std::size_t i = 0; i < names.speeds.size(); ++i) add(by_kind, names, names.speeds[i], names.coordinates.size() + i);
+  for (std::size_t i = 0; i < names.speeds.size(); ++i)
+    add(by_kind, names, names.speeds[i], names.coordinates.size() + i);
   std::vector<Panel> result;
   for (std::size_t kind = 0; kind < 3; ++kind)
     if (!by_kind[kind].curves.empty()) result.insert(result.end(), {by_kind[kind], by_kind[kind + 3]});

@@ -16,8 +16,8 @@ struct Resumed {
   std::string rows;   // before the last full one, without the header
 };
 
-// A last line that is cut off is left out; lines may end as on Windows. Throws InputError, naming `file`, for columns that are not the scene's and
-// for rows that are no finite numbers in the order of time.
+// A last line that is cut off is left out; lines may end as on Windows. Throws InputError, naming `file`, for columns
+// that are not the scene's and for rows that are no finite numbers in the order of time.
 Resumed read_trajectory(std::string_view text, const std::string& file, const scene::Scene& scene);
 
 }  // namespace kanec

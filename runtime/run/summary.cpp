@@ -12,7 +12,6 @@
 namespace kanec {
 namespace {
 
-
 class Lines {
  public:
   void add(const std::string& label, const std::string& text) { text_ += fmt::format("  {:<30} {}\n", label, text); }
@@ -101,8 +100,7 @@ Json momentum_json(const MomentumChange& change) {
 
 }  // namespace
 
-std::string summary_text(const Summary& summary, const integrate::Options& options,
-                         const Conservation& conservation) {
+std::string summary_text(const Summary& summary, const integrate::Options& options, const Conservation& conservation) {
   Lines lines;
   lines.add("integrator", method_text(options));
   lines.add("time", fmt::format("{} to {} s, a row every {} s", shortest(options.start), shortest(summary.t),
@@ -122,8 +120,7 @@ std::string summary_text(const Summary& summary, const integrate::Options& optio
   return lines.text();
 }
 
-Json summary_json(const Summary& summary, const integrate::Options& options,
-                  const Conservation& conservation) {
+Json summary_json(const Summary& summary, const integrate::Options& options, const Conservation& conservation) {
   Json json = {{"integrator", integrate::name_of(options.method)},
                {"duration", options.duration},
                {"output_step", options.output_step},

@@ -15,9 +15,7 @@ struct Conservation {
   bool driven = false;    // energy change minus work is the work of prescribed coordinates, and no error
 };
 
-std::string summary_text(const Summary& summary, const integrate::Options& options,
-                         const Conservation& conservation);
-Json summary_json(const Summary& summary, const integrate::Options& options,
-                  const Conservation& conservation);
+std::string summary_text(const Summary& summary, const integrate::Options& options, const Conservation& conservation);
+Json summary_json(const Summary& summary, const integrate::Options& options, const Conservation& conservation);
 
 }  // namespace kanec

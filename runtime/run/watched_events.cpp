@@ -61,8 +61,7 @@ StateNames trajectory_names(const scene::Scene& scene) {
   return names;
 }
 
-std::vector<std::string> event_lines(const Summary& summary, const std::vector<Event>& watched,
-                                     std::size_t most) {
+std::vector<std::string> event_lines(const Summary& summary, const std::vector<Event>& watched, std::size_t most) {
   std::vector<std::string> lines;
   if (watched.empty()) return lines;
   for (const Happening& happening : summary.events) {

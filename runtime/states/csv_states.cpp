@@ -36,7 +36,8 @@ class CsvStates : public StateSource {
       begin = end + 1;
     }
     if (column != columns_.size())
-      refuse(place(), std::to_string(column) + " numbers", std::to_string(columns_.size()) + ", one a column of the header");
+      refuse(place(), std::to_string(column) + " numbers",
+             std::to_string(columns_.size()) + ", one a column of the header");
     return true;
   }
 
@@ -81,10 +82,13 @@ class CsvStates : public StateSource {
     }
     const std::optional<Entry> entry = names_.find(name);
     if (name != "t" && !entry)
-      refuse(column, scene::in_quotes(name), "t, or of " + scene_ + ": " +
-             scene::one_of(names_.known({Among::x, Among::y, Among::ydot, Among::parameters, Among::inputs}), name));
+      refuse(
+          column, scene::in_quotes(name),
+          "t, or of " + scene_ + ": " +
+              scene::one_of(names_.known({Among::x, Among::y, Among::ydot, Among::parameters, Among::inputs}), name));
     for (const Column& other : columns_)
-      if (name == "t" ? other.is_time : other.entry && other.entry->among == entry->among && other.entry->index == entry->index)
+      if (name == "t" ? other.is_time
+                      : other.entry && other.entry->among == entry->among && other.entry->index == entry->index)
         refuse(column, scene::in_quotes(name) + " twice", "each once");
     columns_.push_back({name, entry, name == "t"});
   }
@@ -94,7 +98,8 @@ class CsvStates : public StateSource {
       const bool is_there = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
         return column.entry && column.entry->among == among && column.entry->index == static_cast<int>(i);
       });
-      if (!is_there) refuse(place(), "no column " + names_.printed(among)[i], "a column for each that the function reads");
+      if (!is_there)
+        refuse(place(), "no column " + names_.printed(among)[i], "a column for each that the function reads");
     }
   }
 
@@ -102,8 +107,7 @@ class CsvStates : public StateSource {
     const Column& at = columns_[column];
     if (!at.entry && !at.is_time) return;
     const std::optional<double> value = csv_number(cell);
-    if (!value)
-      refuse(place() + ": " + at.name, cell.empty() ? "nothing" : scene::in_quotes(cell), "a finite number");
+    if (!value) refuse(place() + ": " + at.name, cell.empty() ? "nothing" : scene::in_quotes(cell), "a finite number");
     if (at.is_time) {
       state.t = *value;
       return;

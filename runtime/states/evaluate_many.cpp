@@ -29,7 +29,8 @@ struct CompiledFunction {
 
 }  // namespace
 
-std::function<const std::vector<double>&(const State&)> compiled_function(const kanec_model& model, const scene::Scene& scene,
+std::function<const std::vector<double>&(const State&)> compiled_function(const kanec_model& model,
+                                                                          const scene::Scene& scene,
                                                                           const std::string& function) {
   const auto call = std::make_shared<CompiledFunction>(CompiledFunction{Solver(model), nullptr, {}, {}, {}});
   call->function = call->solver.find(function);
@@ -44,7 +45,8 @@ std::function<const std::vector<double>&(const State&)> compiled_function(const 
       call->solver.set_inputs(read_inputs(model, scene, state.inputs));
       call->inputs = state.inputs;
     }
-    call->solver.evaluate(*call->function, state.t, state.x.data(), state.y.data(), state.ydot.data(), call->out.data());
+    call->solver.evaluate(*call->function, state.t, state.x.data(), state.y.data(), state.ydot.data(),
+                          call->out.data());
     return call->out;
   };
 }

@@ -19,14 +19,16 @@ struct ManyStates {
   std::int64_t normalised = 0;  // with Euler parameters off unit norm by more than 1e-6
 };
 
-// evaluate: of a checked state, Euler parameters of unit norm. `scene` with the values that states without their own have.
-// progress: the share that is done, now and then. Throws InputError that names the state, and what evaluate throws.
+// evaluate: of a checked state, Euler parameters of unit norm. `scene` with the values that states without their own
+// have. progress: the share that is done, now and then. Throws InputError that names the state, and what evaluate
+// throws.
 ManyStates evaluate_many(const scene::Scene& scene, StateSource& states, ResultSink& results,
                          const std::function<const std::vector<double>&(const State&)>& evaluate,
                          const std::function<void(double)>& progress);
 
 // The compiled function, whose parameters are prepared where they change alone.
-std::function<const std::vector<double>&(const State&)> compiled_function(const kanec_model& model, const scene::Scene& scene,
+std::function<const std::vector<double>&(const State&)> compiled_function(const kanec_model& model,
+                                                                          const scene::Scene& scene,
                                                                           const std::string& function);
 
 }  // namespace kanec

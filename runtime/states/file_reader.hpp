@@ -15,8 +15,8 @@ class FileReader {
   // "-": standard input. Throws FileError, also for a folder.
   explicit FileReader(const std::string& path);
 
-  // The next line, without its end; the view holds until the next call. False at the end. Throws FileError for a line of
-  // more than 64 MiB.
+  // The next line, without its end; the view holds until the next call. False at the end. Throws FileError for a line
+  // of more than 64 MiB.
   bool line(std::string_view& text);
   // The next so many bytes, or fewer at the end; the view holds until the next call.
   std::string_view bytes(std::size_t count);

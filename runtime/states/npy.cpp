@@ -37,7 +37,8 @@ std::vector<std::int64_t> npy_shape(const FileReader& file, std::string_view tex
     std::int64_t extent = 0;
     const auto [end, error] = std::from_chars(text.data() + begin, text.data() + text.size(), extent);
     constexpr std::int64_t most_rows = std::int64_t{1} << 40, most_columns = 1 << 20;
-    if (error != std::errc() || extent > (shape.empty() ? most_rows : most_columns)) refuse_npy(file, "an .npy shape " + std::string(text));
+    if (error != std::errc() || extent > (shape.empty() ? most_rows : most_columns))
+      refuse_npy(file, "an .npy shape " + std::string(text));
     shape.push_back(extent);
     at = static_cast<std::size_t>(end - text.data());
   }
@@ -48,7 +49,8 @@ std::size_t header_length(FileReader& file, char version) {
   const std::string_view bytes = file.bytes(version == 1 ? 2 : 4);
   std::size_t length = 0;
   for (std::size_t i = bytes.size(); i-- > 0;) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-  if (length > (1u << 20)) refuse_npy(file, "an .npy header of " + std::to_string(length) + " bytes", "one of at most 1 MiB");
+  if (length > (1u << 20))
+    refuse_npy(file, "an .npy header of " + std::to_string(length) + " bytes", "one of at most 1 MiB");
   return length;
 }
 
@@ -56,7 +58,8 @@ std::size_t header_length(FileReader& file, char version) {
 
 NpyTable read_npy_header(FileReader& file) {
   const std::string start(file.bytes(8));
-  if (start.size() < 8 || !std::string_view(start).starts_with(npy_magic)) refuse_npy(file, "no .npy file", "NumPy's .npy");
+  if (start.size() < 8 || !std::string_view(start).starts_with(npy_magic))
+    refuse_npy(file, "no .npy file", "NumPy's .npy");
   if (start[6] < 1 || start[6] > 3) refuse_npy(file, "an .npy file of version " + std::to_string(start[6]), "1 to 3");
   const std::size_t length = header_length(file, start[6]);
   const std::string header(file.bytes(length));
@@ -68,8 +71,9 @@ NpyTable read_npy_header(FileReader& file) {
     refuse_npy(file, "an array of " + std::to_string(shape.size()) + " dimensions", "one (a column) or two");
   NpyTable table{shape[0], shape.size() == 2 ? shape[1] : 1, kind == "'<f8'" ? 8 : 4, order == "True",
                  8 + (start[6] == 1 ? 2u : 4u) + length};
-  const std::size_t wanted =
-      table.begin + static_cast<std::size_t>(table.rows) * static_cast<std::size_t>(table.columns) * static_cast<std::size_t>(table.number_size);
+  const std::size_t wanted = table.begin + static_cast<std::size_t>(table.rows) *
+                                               static_cast<std::size_t>(table.columns) *
+                                               static_cast<std::size_t>(table.number_size);
   if (file.is_regular() && file.size() != wanted)
     refuse_npy(file, std::to_string(file.size()) + " bytes", std::to_string(wanted) + ", which its header announces");
   return table;

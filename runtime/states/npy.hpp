@@ -17,8 +17,8 @@ struct NpyTable {
   std::size_t begin = 0;  // of the numbers in the file
 };
 
-// Reads it off the front. Throws InputError that names the file and what is wrong; of a regular file also where the numbers
-// that it announces are not there, or more than these.
+// Reads it off the front. Throws InputError that names the file and what is wrong; of a regular file also where the
+// numbers that it announces are not there, or more than these.
 NpyTable read_npy_header(FileReader& file);
 
 // Of float64, row by row.

@@ -19,8 +19,8 @@ class NpyStates : public StateSource {
     const std::int64_t width = nx + (needs.y ? ny : 0) + (needs.ydot ? ny : 0);
     has_time_ = table_.columns == width + 1;
     if (table_.columns != width && !has_time_)
-      throw InputError(file_.name() + ": found " + std::to_string(table_.columns) + " columns; allowed: " +
-                       std::to_string(width) + ", which are x (" + std::to_string(nx) + ")" +
+      throw InputError(file_.name() + ": found " + std::to_string(table_.columns) +
+                       " columns; allowed: " + std::to_string(width) + ", which are x (" + std::to_string(nx) + ")" +
                        (needs.y ? ", y (" + std::to_string(ny) + ")" : "") +
                        (needs.ydot ? ", ydot (" + std::to_string(ny) + ")" : "") + ", or one more with t in front");
     if (table_.by_columns && !file_.is_regular())
@@ -35,7 +35,8 @@ class NpyStates : public StateSource {
     ++row_;
     for (std::int64_t i = 0; i < table_.columns; ++i)
       if (!std::isfinite(from[i]))
-        throw InputError(place() + ", column " + std::to_string(i) + ": found " + shortest(from[i]) + "; allowed: a finite number");
+        throw InputError(place() + ", column " + std::to_string(i) + ": found " + shortest(from[i]) +
+                         "; allowed: a finite number");
     if (has_time_) state.t = *from++;
     from = take(state.x, from);
     if (needs_.y) from = take(state.y, from);
@@ -46,7 +47,9 @@ class NpyStates : public StateSource {
   bool has_values() const override { return false; }
   std::string place() const override { return file_.name() + ": row " + std::to_string(row_ - 1); }
   std::optional<std::int64_t> count() const override { return table_.rows; }
-  double share() const override { return static_cast<double>(row_) / static_cast<double>(std::max<std::int64_t>(1, table_.rows)); }
+  double share() const override {
+    return static_cast<double>(row_) / static_cast<double>(std::max<std::int64_t>(1, table_.rows));
+  }
 
  private:
   static const double* take(std::vector<double>& list, const double* from) {
@@ -64,8 +67,8 @@ class NpyStates : public StateSource {
   void read_piece() {
     piece_begin_ = row_;
     piece_end_ = std::min(row_ + rows_a_piece_, table_.rows);
-    const auto rows = static_cast<std::size_t>(piece_end_ - piece_begin_), columns = static_cast<std::size_t>(table_.columns),
-               size = static_cast<std::size_t>(table_.number_size);
+    const auto rows = static_cast<std::size_t>(piece_end_ - piece_begin_),
+               columns = static_cast<std::size_t>(table_.columns), size = static_cast<std::size_t>(table_.number_size);
     piece_.resize(rows * columns);
     if (!table_.by_columns) {
       const std::string_view bytes = file_.bytes(rows * columns * size);
@@ -83,9 +86,10 @@ class NpyStates : public StateSource {
 
   void require(std::size_t found, std::size_t wanted) const {
     if (found == wanted) return;
-    throw InputError(file_.name() + ": found an end within row " +
-                     std::to_string(piece_begin_ + static_cast<std::int64_t>(found) / (table_.columns * table_.number_size)) +
-                     "; allowed: the " + std::to_string(table_.rows) + " rows that its header announces");
+    throw InputError(
+        file_.name() + ": found an end within row " +
+        std::to_string(piece_begin_ + static_cast<std::int64_t>(found) / (table_.columns * table_.number_size)) +
+        "; allowed: the " + std::to_string(table_.rows) + " rows that its header announces");
   }
 
   FileReader file_;

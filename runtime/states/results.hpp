@@ -1,7 +1,7 @@
 // Results of many states as they are written: CSV, JSON lines, .npy. Not: their evaluation.
 //
-// CSV: a header line, each name with its unit in brackets, entries of matrices "A_2_1" (row, column); of several parts the
-// part in front, "f.omega_1_1". JSON lines: an object of the parts a line, as `kanec eval --json` has "result".
+// CSV: a header line, each name with its unit in brackets, entries of matrices "A_2_1" (row, column); of several parts
+// the part in front, "f.omega_1_1". JSON lines: an object of the parts a line, as `kanec eval --json` has "result".
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -10,7 +10,8 @@ TableFormat table_format_of(const std::string& name) {
   if (name == "csv") return TableFormat::csv;
   if (name == "jsonl") return TableFormat::json_lines;
   if (name == "npy") return TableFormat::npy;
-  throw InputError("format: found " + scene::in_quotes(name) + "; allowed: " + scene::one_of({"csv", "jsonl", "npy"}, name));
+  throw InputError("format: found " + scene::in_quotes(name) +
+                   "; allowed: " + scene::one_of({"csv", "jsonl", "npy"}, name));
 }
 
 TableFormat table_format_of_file(const std::string& path) {

@@ -1,9 +1,9 @@
 // States one after another, from a file of CSV, JSON lines or NumPy's .npy. Not: what is done with them.
 //
-// CSV: a header line of names (t, coordinates, speeds, their rates, parameters, inputs; each by the number or the name of
-// its body, a unit in brackets behind if one likes), then a line a state. kinetic, potential and work of a trajectory are
-// passed over. JSON lines: a state file (runtime/model/state_file.hpp) a line. .npy: a row a state: x, then y and ydot
-// where the function reads them; or these behind t.
+// CSV: a header line of names (t, coordinates, speeds, their rates, parameters, inputs; each by the number or the name
+// of its body, a unit in brackets behind if one likes), then a line a state. kinetic, potential and work of a
+// trajectory are passed over. JSON lines: a state file (runtime/model/state_file.hpp) a line. .npy: a row a state: x,
+// then y and ydot where the function reads them; or these behind t.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -36,7 +36,7 @@ class StateSource {
   virtual bool has_values() const = 0;
   // "states.csv:12", of the one that next() gave.
   virtual std::string place() const = 0;
-  virtual double share() const = 0;  // that was read
+  virtual double share() const = 0;                                           // that was read
   virtual std::optional<std::int64_t> count() const { return std::nullopt; }  // of all states, where it is known before
 };
 

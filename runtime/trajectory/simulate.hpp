@@ -36,13 +36,13 @@ struct Summary {
   std::optional<EnergyBalance> energy;
   std::optional<MomentumChange> linear_momentum;   // [kg m/s]
   std::optional<MomentumChange> angular_momentum;  // about the inertial origin [kg m²/s]
-  double worst_norm_error_before = 0.0;  // | |ε| - 1 | at the end of a step, before any projection, over all steps
-  double worst_norm_error_after = 0.0;   // the same in the rows
-  std::vector<integrate::Happening> events;         // in the order of time
-  bool stopped = false;                  // by an event, before the duration
-  double t = 0.0;                        // at the end [s]
-  std::vector<double> x, y;              // there
-  std::vector<double> inputs;            // there
+  double worst_norm_error_before = 0.0;      // | |ε| - 1 | at the end of a step, before any projection, over all steps
+  double worst_norm_error_after = 0.0;       // the same in the rows
+  std::vector<integrate::Happening> events;  // in the order of time
+  bool stopped = false;                      // by an event, before the duration
+  double t = 0.0;                            // at the end [s]
+  std::vector<double> x, y;                  // there
+  std::vector<double> inputs;                // there
 };
 
 using Observer = std::function<void(const Row&)>;
@@ -51,7 +51,7 @@ using Progress = std::function<void(double fraction)>;  // after every step; 0 t
 // Throws InputError (options, initial state, a model without the functions needed), IntegrationError (time and cause),
 // and whatever the observer throws. Inputs and parameters are those of the solver, until an event sets inputs; the
 // state and options.work are those at options.start.
-Summary simulate(const Solver& solver, std::span<const double> x, std::span<const double> y, const integrate::Options& options,
-                 const Observer& observer = {}, const Progress& progress = {});
+Summary simulate(const Solver& solver, std::span<const double> x, std::span<const double> y,
+                 const integrate::Options& options, const Observer& observer = {}, const Progress& progress = {});
 
 }  // namespace kanec

@@ -45,7 +45,8 @@ std::optional<int> body_of(std::string_view word, const std::vector<std::string>
 std::pair<Kind, std::string_view> split_name(std::string_view name) {
   const std::size_t at = std::min(name.find('_'), name.size());
   for (std::size_t kind = 0; kind < known.size(); ++kind)
-    if (at < name.size() && name.substr(0, at) == known[kind].letter) return {static_cast<Kind>(kind), name.substr(at + 1)};
+    if (at < name.size() && name.substr(0, at) == known[kind].letter)
+      return {static_cast<Kind>(kind), name.substr(at + 1)};
   refuse(name);
 }
 

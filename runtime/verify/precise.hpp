@@ -27,7 +27,7 @@ class Precise {
   friend Precise acos(const Precise& a);
   friend Precise atan2(const Precise& a, const Precise& b);  // 0 for a = b = 0
   friend Precise exp(const Precise& a);
-  friend Precise log(const Precise& a);  // throws InputError for a ≤ 0
+  friend Precise log(const Precise& a);                    // throws InputError for a ≤ 0
   friend Precise pow(const Precise& a, const Precise& b);  // throws InputError where it is no real number
   friend Precise tanh(const Precise& a);
   friend Precise abs(const Precise& a) { return a.magnitude(); }

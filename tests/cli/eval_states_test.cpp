@@ -50,7 +50,8 @@ TEST_F(EvalStates, one_kind_becomes_another) {
 
 TEST_F(EvalStates, of_another_path_agree) {
   write("states.csv", header + "0.3,1,-2,0.5\n");
-  const std::string emitted = kanec(eval({"--states", "states.csv"})).out, generic = kanec(eval({"--states", "states.csv", "--path", "generic"})).out;
+  const std::string emitted = kanec(eval({"--states", "states.csv"})).out,
+                    generic = kanec(eval({"--states", "states.csv", "--path", "generic"})).out;
   EXPECT_NEAR(std::stod(emitted.substr(emitted.find('\n'))), std::stod(generic.substr(generic.find('\n'))), 1e-12);
 }
 
@@ -63,7 +64,8 @@ TEST_F(EvalStates, a_trajectory_goes_in_as_it_comes_out) {
 
 TEST_F(EvalStates, one_bad_line_leaves_nothing) {
   write("states.csv", header + "0.3,1,-2,0.5\n0.7,0,oops,4\n");
-  refuses(eval({"--states", "states.csv", "-o", "out.csv"}), "states.csv:3: thetadot_pole: found \"oops\"", {"states.csv"});
+  refuses(eval({"--states", "states.csv", "-o", "out.csv"}), "states.csv:3: thetadot_pole: found \"oops\"",
+          {"states.csv"});
   refuses(eval({"--states", "states.csv", "--input", "-"}), "--states: found it beside --input", {"states.csv"});
   refuses(eval({"--format", "npy"}), "--format, --output: found without --states", {"states.csv"});
   refuses(eval({"--states", "states.csv", "--format", "npy"}), "no .npy file", {"states.csv"});
@@ -72,16 +74,21 @@ TEST_F(EvalStates, one_bad_line_leaves_nothing) {
 
 TEST_F(EvalStates, set_values_hold_for_all) {
   write("states.csv", header + "0.3,1,-2,0.5\n");
-  EXPECT_NE(kanec(eval({"--states", "states.csv", "--set", "push=3"})).out, kanec(eval({"--states", "states.csv"})).out);
+  EXPECT_NE(kanec(eval({"--states", "states.csv", "--set", "push=3"})).out,
+            kanec(eval({"--states", "states.csv"})).out);
 }
 
 TEST_F(EvalStates, names_by_body_are_taken_by_set_and_ensembles) {
-  const json changed = json::parse(kanec({"eval", model("cart_pole"), "energy", "--template", "--set", "theta_pole=0.5", "--set", "sdot_1=2"}).out);
+  const json changed = json::parse(
+      kanec({"eval", model("cart_pole"), "energy", "--template", "--set", "theta_pole=0.5", "--set", "sdot_1=2"}).out);
   EXPECT_EQ(changed.at("x").at("theta_2"), 0.5);
   EXPECT_EQ(changed.at("y").at("sdot_1"), 2);
   refuses({"eval", model("free_body"), "energy", "--template", "--set", "eps_1_4=1"}, "an Euler parameter alone");
   write("runs.csv", "theta_pole,push\n0.1,0\n0.2,1\n");
-  EXPECT_EQ(kanec({"simulate", model("cart_pole"), "--duration", "0.1", "--integrator", "rk4", "--ensemble", "runs.csv", "--json"}).status, 0);
+  EXPECT_EQ(kanec({"simulate", model("cart_pole"), "--duration", "0.1", "--integrator", "rk4", "--ensemble", "runs.csv",
+                   "--json"})
+                .status,
+            0);
 }
 
 TEST_F(EvalStates, functions_tells_what_can_be_asked_for) {

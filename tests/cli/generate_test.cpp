@@ -81,8 +81,10 @@ TEST_F(Generate, language_c_gives_a_header_of_its_own_and_refuses_what_c_has_not
   EXPECT_EQ(kanec({"generate", scene, "--language", "c", "-o", "-"}).out, read_file(work() / "cart_pole.h"));
   const Names there = {"cart_pole.h"};
   refuses({"generate", scene, "--language", "c", "--abi", "-o", "new/"}, "language c: found it beside abi", there);
-  refuses({"generate", scene, "--language", "c", "--taylor", "-o", "new/"}, "language c: found it beside taylor", there);
-  refuses({"generate", scene, "--language", "c", "--dump", "program"}, "--language c: found it beside --dump program", there);
+  refuses({"generate", scene, "--language", "c", "--taylor", "-o", "new/"}, "language c: found it beside taylor",
+          there);
+  refuses({"generate", scene, "--language", "c", "--dump", "program"}, "--language c: found it beside --dump program",
+          there);
   refuses({"generate", scene, "--language", "ada"}, "--language", there);
 }
 

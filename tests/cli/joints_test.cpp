@@ -89,8 +89,8 @@ TEST_F(Joints, every_function_agrees_with_both_oracles) {
     names.push_back(function.at("name"));
     EXPECT_EQ(function.at("undefined_states"), 0) << function.dump();
   }
-  EXPECT_THAT(names, testing::IsSupersetOf({"driving_loads", "load_powers", "reactions", "hook_jacobian", "state_matrix",
-                                            "accelerations_u", "partial_angular_velocities"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"driving_loads", "load_powers", "reactions", "hook_jacobian",
+                                            "state_matrix", "accelerations_u", "partial_angular_velocities"}));
 }
 
 // I θ̈ = -m g l sin θ about the pivot, period 2π √(I / m g l) (1 + θ²/16 + …); the next term is 4e-11 at 0.01 rad.
@@ -121,7 +121,8 @@ TEST_F(Joints, states_have_a_time_and_the_names_of_what_moves) {
   EXPECT_EQ(state.at("x").at("s_1_3"), 0.0);
   state["t"] = 0.5;
   const auto result = [&](const std::string& function, const std::string& path) {
-    return json_of({"eval", "crane.toml", function, "--path", path, "--input", "-", "--json"}, state.dump()).at("result");
+    return json_of({"eval", "crane.toml", function, "--path", path, "--input", "-", "--json"}, state.dump())
+        .at("result");
   };
   const json drives = result("driving_loads", "emitted").at("driving_loads");
   EXPECT_EQ(drives.size(), 2u);
@@ -135,7 +136,8 @@ TEST_F(Joints, states_have_a_time_and_the_names_of_what_moves) {
 }
 
 TEST_F(Joints, parameters_that_nothing_reads_keep_their_place) {
-  const Answer answer = kanec({"simulate", "crane.toml", "--duration", "0.1", "--set", "spare=2", "--set", "amplitude=0", "--json"});
+  const Answer answer =
+      kanec({"simulate", "crane.toml", "--duration", "0.1", "--set", "spare=2", "--set", "amplitude=0", "--json"});
   ASSERT_EQ(answer.status, 0) << answer.err;
   const json final_state = json::parse(answer.out).at("final");
   EXPECT_EQ(final_state.at("parameters").at("spare"), 2.0);

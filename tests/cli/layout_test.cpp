@@ -88,8 +88,8 @@ TEST(StateLayout, is_told_in_short) {
 }
 
 TEST(ResultLayout, has_as_many_names_as_the_function_has_results) {
-  for (const scene::Scene& scene : {scene::from_connection({0, 1}),
-                                    scene::read(KANEC_SOURCE_DIR "/models/six_body/scene.toml")}) {
+  for (const scene::Scene& scene :
+       {scene::from_connection({0, 1}), scene::read(KANEC_SOURCE_DIR "/models/six_body/scene.toml")}) {
     const Functions functions(scene);
     for (const Available& function : functions.all()) {
       const std::vector<Layout> layouts = result_layouts(scene, function.name);

@@ -25,7 +25,8 @@ TEST(Samples, begin_with_the_initial_state_and_have_unit_norm) {
   EXPECT_EQ(list[0].y, initial_speeds(scene));
   for (const State& state : list)
     for (int k = 0; k < size(scene); ++k) {
-      const double* eps = &state.x[static_cast<std::size_t>(scene::Layout(scene).bodies[static_cast<std::size_t>(k)].eps)];
+      const double* eps =
+          &state.x[static_cast<std::size_t>(scene::Layout(scene).bodies[static_cast<std::size_t>(k)].eps)];
       // a division rounds each of the four by half an ulp
       EXPECT_NEAR(std::hypot(std::hypot(eps[0], eps[1]), std::hypot(eps[2], eps[3])), 1.0, 1e-15);
     }

@@ -183,7 +183,8 @@ void expect_same(const std::vector<Coordinate>& found, const std::vector<Coordin
     EXPECT_EQ(found[i].value, expected[i].value);
     EXPECT_EQ(found[i].rate, expected[i].rate);
     if (found[i].motion == Coordinate::Motion::prescribed)
-      expect_same(scene::Number::expression(found[i].expression), scene::Number::expression(expected[i].expression), a, b);
+      expect_same(scene::Number::expression(found[i].expression), scene::Number::expression(expected[i].expression), a,
+                  b);
   }
 }
 

@@ -1,4 +1,5 @@
-// What --json prints, against the schemas of docs/schema. Oracle: the schemas, by the part of JSON Schema that they use.
+// What --json prints, against the schemas of docs/schema. Oracle: the schemas, by the part of JSON Schema that they
+// use.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <regex>
 
@@ -21,9 +22,11 @@ bool is_of_type(const json& value, const std::string& type) {
 
 // The first place where the value is not as the schema says; empty where there is none.
 std::string fault(const json& value, const json& rule, const std::string& at) {
-  static const std::vector<std::string> known = {"$schema", "$id",      "title",      "description",          "type",     "properties",
-                                                 "required", "items",   "enum",       "additionalProperties", "$ref",     "anyOf",
-                                                 "pattern",  "minimum", "minItems",   "maxItems"};
+  static const std::vector<std::string> known = {
+      "$schema",    "$id",      "title",   "description", "type",
+      "properties", "required", "items",   "enum",        "additionalProperties",
+      "$ref",       "anyOf",    "pattern", "minimum",     "minItems",
+      "maxItems"};
   for (const auto& [key, ignored] : rule.items())
     if (std::find(known.begin(), known.end(), key) == known.end()) return at + ": the schema says " + key;
   if (rule.contains("$ref")) return fault(value, schema(rule["$ref"]), at);
@@ -32,12 +35,16 @@ std::string fault(const json& value, const json& rule, const std::string& at) {
       if (fault(value, one, at).empty()) return "";
     return at + ": none of anyOf";
   }
-  if (rule.contains("enum") && std::find(rule["enum"].begin(), rule["enum"].end(), value) == rule["enum"].end()) return at + ": enum";
+  if (rule.contains("enum") && std::find(rule["enum"].begin(), rule["enum"].end(), value) == rule["enum"].end())
+    return at + ": enum";
   if (rule.contains("type")) {
     const json types = rule["type"].is_array() ? rule["type"] : json::array({rule["type"]});
-    if (std::none_of(types.begin(), types.end(), [&](const json& type) { return is_of_type(value, type); })) return at + ": type";
+    if (std::none_of(types.begin(), types.end(), [&](const json& type) { return is_of_type(value, type); }))
+      return at + ": type";
   }
-  if (rule.contains("pattern") && !std::regex_search(value.get<std::string>(), std::regex(rule["pattern"].get<std::string>()))) return at + ": pattern";
+  if (rule.contains("pattern") &&
+      !std::regex_search(value.get<std::string>(), std::regex(rule["pattern"].get<std::string>())))
+    return at + ": pattern";
   if (rule.contains("minimum") && value < rule["minimum"]) return at + ": minimum";
   if (rule.contains("minItems") && value.size() < rule["minItems"]) return at + ": minItems";
   if (rule.contains("maxItems") && value.size() > rule["maxItems"]) return at + ": maxItems";
@@ -45,7 +52,8 @@ std::string fault(const json& value, const json& rule, const std::string& at) {
     if (!value.contains(key)) return at + ": no " + key.get<std::string>();
   if (value.is_array() && rule.contains("items"))
     for (std::size_t i = 0; i < value.size(); ++i)
-      if (const std::string found = fault(value[i], rule["items"], at + "[" + std::to_string(i) + "]"); !found.empty()) return found;
+      if (const std::string found = fault(value[i], rule["items"], at + "[" + std::to_string(i) + "]"); !found.empty())
+        return found;
   if (!value.is_object()) return "";
   const json properties = rule.value("properties", json::object());
   for (const auto& [key, part] : value.items()) {
@@ -87,7 +95,9 @@ TEST_F(Schema, of_states_and_results_holds_them) {
   }
 }
 
-TEST_F(Schema, of_a_run_with_events_holds_it) { holds("simulate.json", {"simulate", model("slider_crank"), "--duration", "0.1", "--json"}); }
+TEST_F(Schema, of_a_run_with_events_holds_it) {
+  holds("simulate.json", {"simulate", model("slider_crank"), "--duration", "0.1", "--json"});
+}
 
 // So that a schema that allows everything is found out.
 TEST_F(Schema, refuses_what_it_does_not_say) {

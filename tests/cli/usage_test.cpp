@@ -21,7 +21,8 @@ TEST_F(Usage, every_command_teaches_by_an_example) {
 TEST_F(Usage, overview_names_the_stages_and_the_exit_statuses) {
   const Answer answer = kanec({"--help"});
   EXPECT_EQ(answer.status, 0);
-  for (const char* word : {"derive", "generate", "simulate", "check", "eval", "bench", "ledger", "report", "Exit status"})
+  for (const char* word :
+       {"derive", "generate", "simulate", "check", "eval", "bench", "ledger", "report", "Exit status"})
     EXPECT_THAT(answer.out, HasSubstr(word));
 }
 

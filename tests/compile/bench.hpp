@@ -71,7 +71,9 @@ inline Source toy_with(const std::string& what, const std::string& by) {
 inline Source toy_batch() {
   Source source = toy();
   std::string& text = source.files[1].second;
-  text = replaced(text, "&model; }", "&model; }\n" R"(namespace {
+  text = replaced(text, "&model; }",
+                  "&model; }\n"
+                  R"(namespace {
 void prepare_batch(int64_t, int64_t, int64_t, const void* parameters, void* prepared) {
   prepare(static_cast<const double*>(parameters), prepared);
 }

@@ -248,8 +248,7 @@ TEST_F(Build, unsound_names_are_our_mistake) {
     return source;
   };
   for (const char* name : {"../x.hpp", "a/b", "", ".", "..", "-x", "a b", "a\n"})
-    EXPECT_EQ(message_of<InternalError>(with_file(name), options),
-              "unsound name of a source file: " + fit::line(name));
+    EXPECT_EQ(message_of<InternalError>(with_file(name), options), "unsound name of a source file: " + fit::line(name));
   for (const char* name : {"toy.hpp", "abi.h", "made"})
     EXPECT_EQ(message_of<InternalError>(with_file(name), options), std::string("source file given twice: ") + name);
   Source source = toy();

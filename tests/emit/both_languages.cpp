@@ -22,14 +22,15 @@ std::string fields(const std::string& variable, std::size_t begin, const std::ve
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const scene::Named& named : used)
       if (named.name == all[i].name)
-        text += "  " + variable + "." + scene::spelled(named.name) + " = (real)in[" + std::to_string(begin + i) + "];\n";
+        text +=
+            "  " + variable + "." + scene::spelled(named.name) + " = (real)in[" + std::to_string(begin + i) + "];\n";
   return text;
 }
 
 std::string array(const std::string& name, std::size_t begin, int count) {
   const std::string n = std::to_string(count);
-  return "  real " + name + "[" + std::to_string(std::max(count, 1)) + "];\n  for (int i = 0; i < " + n + "; ++i) " + name +
-         "[i] = (real)in[" + std::to_string(begin) + " + i];\n  (void)" + name + ";\n";
+  return "  real " + name + "[" + std::to_string(std::max(count, 1)) + "];\n  for (int i = 0; i < " + n + "; ++i) " +
+         name + "[i] = (real)in[" + std::to_string(begin) + " + i];\n  (void)" + name + ";\n";
 }
 
 // The part of a function that is the same in both languages; `of`: "&" where structs are given by pointers.
@@ -44,8 +45,9 @@ std::string calls(const scene::Scene& scene, const Generated& generated, const e
   for (const program::Function& function : generated.program.functions) {
     const emit::ArgumentList list(generated.program, function, !used.inputs.empty());
     const std::string n = std::to_string(function.n_out);
-    text += "  {\n    real r[" + n + "];\n    for (int i = 0; i < " + n + "; ++i) r[i] = 7;\n    " + prefix + function.name + "(" +
-            list.values(of + "c", of + "u", "r") + ");\n    for (int i = 0; i < " + n + "; ++i) *out++ = (double)r[i];\n  }\n";
+    text += "  {\n    real r[" + n + "];\n    for (int i = 0; i < " + n + "; ++i) r[i] = 7;\n    " + prefix +
+            function.name + "(" + list.values(of + "c", of + "u", "r") + ");\n    for (int i = 0; i < " + n +
+            "; ++i) *out++ = (double)r[i];\n  }\n";
   }
   return text;
 }
@@ -79,14 +81,16 @@ void BothLanguages::add(const scene::Scene& scene, const Generated& cpp, const G
   write_file(folder_.path() / (c.name + ".h"), c.header);
   write_file(folder_.path() / (cpp.name + ".hpp"), cpp.header);
   const emit::Used used = emit::used(scene, c.program);
-  const std::string &name = c.name, inputs = used.inputs.empty() ? "" : "  " + name + "_Inputs u = " + name + "_default_inputs();\n";
+  const std::string &name = c.name,
+                    inputs = used.inputs.empty() ? "" : "  " + name + "_Inputs u = " + name + "_default_inputs();\n";
   Pair pair{name,
             "  " + name + "_Parameters p = " + name + "_default_parameters();\n" + inputs,
             "  model::Parameters<real> p;\n" + std::string(used.inputs.empty() ? "" : "  model::Inputs<real> u;\n"),
             {},
             {}};
   // both are prepared behind what changes the parameters
-  const std::string c_calls = calls(scene, c, used, name + "_", "&"), cpp_calls = calls(scene, cpp, used, "model::", "");
+  const std::string c_calls = calls(scene, c, used, name + "_", "&"),
+                    cpp_calls = calls(scene, cpp, used, "model::", "");
   const std::size_t begin_c = c_calls.find("  const real t = "), begin_cpp = cpp_calls.find("  const real t = ");
   pair.c += c_calls.substr(0, begin_c) + "  const " + name + "_Prepared c = " + name + "_prepare(&p);\n" +
             c_calls.substr(begin_c);
@@ -112,7 +116,8 @@ std::string BothLanguages::c_file(const std::string& real, const std::string& na
   return file;
 }
 
-std::string BothLanguages::complaints(const std::vector<std::string>& compiler_and_flags, const std::string& real) const {
+std::string BothLanguages::complaints(const std::vector<std::string>& compiler_and_flags,
+                                      const std::string& real) const {
   const bool is_cpp = compiler_and_flags[0].ends_with("++");
   std::vector<std::string> command = compiler_and_flags;
   command.push_back("-fsyntax-only");
@@ -133,8 +138,8 @@ static void compare(const char* what, const double* c, const double* cpp, const 
   for (const Pair& model : models_) {
     const std::string n = std::to_string(model.results.size());
     text += "namespace of_" + model.name + " {\nnamespace model = kanec::" + model.name +
-            ";\ntemplate <class real>\nvoid cpp([[maybe_unused]] const double* in, double* out) {\n" + model.cpp + "}\n" +
-            "const char* const names[] = {";
+            ";\ntemplate <class real>\nvoid cpp([[maybe_unused]] const double* in, double* out) {\n" + model.cpp +
+            "}\n" + "const char* const names[] = {";
     for (const std::string& result : model.results) text += "\"" + result + "\", ";
     text += "};\nconst double arguments[][" + std::to_string(model.arguments[0].size()) + "] = {\n";
     for (const std::vector<double>& list : model.arguments) {
@@ -145,10 +150,10 @@ static void compare(const char* what, const double* c, const double* cpp, const 
     text += "};\ndouble c[" + n + "], d[" + n + "];\n}\n";
     for (const std::string real : {"double", "float"}) {
       text += "extern \"C\" void c_" + real + "_" + model.name + "(const double*, double*);\n";
-      main += "  for (const auto& in : of_" + model.name + "::arguments) {\n    c_" + real + "_" + model.name + "(in, of_" +
-              model.name + "::c);\n    of_" + model.name + "::cpp<" + real + ">(in, of_" + model.name +
-              "::d);\n    compare(\"" + model.name + " " + real + "\", of_" + model.name + "::c, of_" + model.name + "::d, of_" +
-              model.name + "::names, " + n + ");\n  }\n";
+      main += "  for (const auto& in : of_" + model.name + "::arguments) {\n    c_" + real + "_" + model.name +
+              "(in, of_" + model.name + "::c);\n    of_" + model.name + "::cpp<" + real + ">(in, of_" + model.name +
+              "::d);\n    compare(\"" + model.name + " " + real + "\", of_" + model.name + "::c, of_" + model.name +
+              "::d, of_" + model.name + "::names, " + n + ");\n  }\n";
     }
   }
   const std::string file = (folder_.path() / "main.cpp").string(), program = (folder_.path() / "main").string();
@@ -156,12 +161,12 @@ static void compare(const char* what, const double* c, const double* cpp, const 
   std::vector<std::string> objects;
   for (const std::string real : {"double", "float"}) {
     objects.push_back((folder_.path() / (real + ".o")).string());
-    const ProcessResult made = run_process({c_compiler, "-std=c99", "-O1", "-ffp-contract=off", "-c",
-                                            c_file(real, real + ".c"), "-o", objects.back()});
+    const ProcessResult made = run_process(
+        {c_compiler, "-std=c99", "-O1", "-ffp-contract=off", "-c", c_file(real, real + ".c"), "-o", objects.back()});
     if (made.status != 0) return said(made);
   }
-  const ProcessResult made = run_process({cpp_compiler, "-std=c++17", "-O1", "-ffp-contract=off", file, objects[0], objects[1],
-                                          "-o", program, "-lm"});
+  const ProcessResult made = run_process(
+      {cpp_compiler, "-std=c++17", "-O1", "-ffp-contract=off", file, objects[0], objects[1], "-o", program, "-lm"});
   return made.status != 0 ? said(made) : said(run_process({program}));
 }
 

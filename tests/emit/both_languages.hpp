@@ -21,8 +21,8 @@ class BothLanguages {
   // Names of models differ. The states, parameters and inputs are random, of this seed.
   void add(const scene::Scene& scene, const Generated& cpp, const Generated& c, std::uint64_t seed);
 
-  // What a compiler says to a program that calls every function of every model, "float" or "double" as `real`; empty where
-  // it has nothing to say.
+  // What a compiler says to a program that calls every function of every model, "float" or "double" as `real`; empty
+  // where it has nothing to say.
   std::string complaints(const std::vector<std::string>& compiler_and_flags, const std::string& real) const;
 
   // What differs in the last bit, a line each; or what goes wrong before.

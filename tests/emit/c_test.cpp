@@ -1,4 +1,5 @@
-// The emitted C header: its text, what strict compilers say to it, and its results. Oracles: the compilers, the C++ header.
+// The emitted C header: its text, what strict compilers say to it, and its results. Oracles: the compilers, the C++
+// header.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,8 +42,8 @@ GenerateOptions in_c(GenerateOptions options) {
   return options;
 }
 
-// All functions and combinations of them; of large trees, whose derivatives are very long, without these, and of the largest
-// those that the scene names.
+// All functions and combinations of them; of large trees, whose derivatives are very long, without these, and of the
+// largest those that the scene names.
 std::vector<std::string> functions_of(const scene::Scene& scene) {
   if (size(scene) > 12) return scene.functions;
   std::vector<std::string> list = size(scene) <= 3 ? every_function(scene) : without_derivatives(scene);
@@ -60,7 +61,8 @@ std::vector<std::string> compiler(const std::string& name) {
 
 class CHeader : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Shipped, CHeader, testing::ValuesIn(shipped_models()), [](const auto& model) { return model.param; });
+INSTANTIATE_TEST_SUITE_P(Shipped, CHeader, testing::ValuesIn(shipped_models()),
+                         [](const auto& model) { return model.param; });
 
 // With every function called, so that no table or parameter is unused.
 TEST_P(CHeader, of_all_functions_compiles_without_a_warning_and_is_c_alone) {
@@ -79,13 +81,16 @@ TEST_P(CHeader, of_all_functions_compiles_without_a_warning_and_is_c_alone) {
   BothLanguages both;
   both.add(scene, cpp, c, 1);
   EXPECT_EQ(both.complaints(compiler("gcc"), "double"), "");
-  EXPECT_EQ(both.complaints({"g++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"}, "float"), "");
+  EXPECT_EQ(both.complaints(
+                {"g++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"}, "float"),
+            "");
   if (find_program("clang")) {
     EXPECT_EQ(both.complaints(compiler("clang"), "float"), "");
   }
   if (!find_program("arm-none-eabi-gcc")) return;
   std::vector<std::string> cortex = compiler("arm-none-eabi-gcc");
-  for (const char* flag : {"-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"}) cortex.push_back(flag);
+  for (const char* flag : {"-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"})
+    cortex.push_back(flag);
   EXPECT_EQ(both.complaints(cortex, "float"), "");
 }
 
@@ -100,17 +105,19 @@ GenerateOptions written(std::vector<std::string> functions, Optimize optimize, e
   return options;
 }
 
-// Parameters, inputs, time, library functions, joints of every kind, derivatives, combinations; in one piece, in several, and
-// as loops over bodies.
+// Parameters, inputs, time, library functions, joints of every kind, derivatives, combinations; in one piece, in
+// several, and as loops over bodies.
 TEST(CAndCpp, give_the_same_bits_in_double_and_in_float) {
   BothLanguages both;
   const scene::Scene cart_pole = shipped("cart_pole"), every_joint = shipped("every_joint"), arm = shipped("arm_6");
   add(both, cart_pole, "cart_pole", written(functions_of(cart_pole), Optimize::speed));
   add(both, shipped("satellite"), "satellite", {{"accelerations+residual", "residual_x+energy", "power"}});
   add(both, every_joint, "joints", written(without_derivatives(every_joint), Optimize::speed));
-  add(both, every_joint, "joints_in_pieces", written({"accelerations", "residual_x", "mass_matrix"}, Optimize::line, {40, 15}));
+  add(both, every_joint, "joints_in_pieces",
+      written({"accelerations", "residual_x", "mass_matrix"}, Optimize::line, {40, 15}));
   add(both, every_joint, "joints_in_loops", written(without_derivatives(every_joint), Optimize::loops));
-  add(both, arm, "arm", written({"accelerations", "accelerations_x+accelerations_y", "partial_velocities"}, Optimize::speed));
+  add(both, arm, "arm",
+      written({"accelerations", "accelerations_x+accelerations_y", "partial_velocities"}, Optimize::speed));
   add(both, arm, "arm_in_pieces", written({"accelerations", "partial_velocities"}, Optimize::line, {40, 15}));
   add(both, arm, "arm_in_loops", written({"residual", "accelerations"}, Optimize::loops));
   add(both, shipped("quadruped"), "small_quadruped", written({}, Optimize::size));
@@ -147,7 +154,8 @@ TEST(CHeader, takes_no_other_scalar_than_float_and_double) {
   BothLanguages both;
   both.add(scene, generate(scene), generate(scene, in_c({})), 1);
   for (const char* real : {"int", "long double", "unsigned"})
-    EXPECT_THAT(both.complaints({"gcc", "-std=c99"}, real), HasSubstr("KANEC_REAL is neither float nor double")) << real;
+    EXPECT_THAT(both.complaints({"gcc", "-std=c99"}, real), HasSubstr("KANEC_REAL is neither float nor double"))
+        << real;
 }
 
 }  // namespace

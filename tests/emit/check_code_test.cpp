@@ -23,20 +23,22 @@ std::string found(const std::string& code) {
 }
 
 TEST(CodeReadAgain, passes_where_every_name_is_declared_once_and_before_its_use) {
-  EXPECT_EQ(found(function("  using std::sin, std::cos;\n"
-                           "  const T theta_1 = x[0], theta_2 = x[1];\n"
-                           "  const T a = c.p.m_1 * sin(theta_1) - T(1e-05) * t, b = -a;  // a b c\n"
-                           "  T cosines[2], sines[2];\n"
-                           "  for (int i = 0; i < 2; ++i) out[i] = T(0);\n"
-                           "  for (int i = 0; i < 2; ++i) {\n    const T twice = T(2) * a;\n    out[i] = twice;\n  }\n"
-                           "  static constexpr int places[][2] = {\n    {0,1}, {1,0},\n  };\n"
-                           "  for (const auto& place : places) out[place[1]] = b + cos(theta_2) + cosines[0] + sines[1];\n"
-                           "  const auto& [K, L] = places[0];\n  out[K] = x[L];\n")),
-            "");
+  EXPECT_EQ(
+      found(function("  using std::sin, std::cos;\n"
+                     "  const T theta_1 = x[0], theta_2 = x[1];\n"
+                     "  const T a = c.p.m_1 * sin(theta_1) - T(1e-05) * t, b = -a;  // a b c\n"
+                     "  T cosines[2], sines[2];\n"
+                     "  for (int i = 0; i < 2; ++i) out[i] = T(0);\n"
+                     "  for (int i = 0; i < 2; ++i) {\n    const T twice = T(2) * a;\n    out[i] = twice;\n  }\n"
+                     "  static constexpr int places[][2] = {\n    {0,1}, {1,0},\n  };\n"
+                     "  for (const auto& place : places) out[place[1]] = b + cos(theta_2) + cosines[0] + sines[1];\n"
+                     "  const auto& [K, L] = places[0];\n  out[K] = x[L];\n")),
+      "");
 }
 
 TEST(CodeReadAgain, tells_a_second_definition) {
-  EXPECT_THAT(found(function("  const T a = x[0];\n  const T a = x[1];\n")), testing::HasSubstr("a second definition of a (in f)"));
+  EXPECT_THAT(found(function("  const T a = x[0];\n  const T a = x[1];\n")),
+              testing::HasSubstr("a second definition of a (in f)"));
   EXPECT_THAT(found(function("  const T a = x[0], b = a, a = b;\n")), testing::HasSubstr("a second definition of a"));
   EXPECT_THAT(found(function("  const T t = x[0];\n")), testing::HasSubstr("a second definition of t"));
   EXPECT_THAT(found("void f(double ydot, double ydot) {}"), testing::HasSubstr("a second definition of ydot"));
@@ -44,10 +46,12 @@ TEST(CodeReadAgain, tells_a_second_definition) {
 }
 
 TEST(CodeReadAgain, tells_a_use_before_the_definition) {
-  EXPECT_THAT(found(function("  const T a = b;\n  const T b = x[0];\n")), testing::HasSubstr("use before the definition of b"));
+  EXPECT_THAT(found(function("  const T a = b;\n  const T b = x[0];\n")),
+              testing::HasSubstr("use before the definition of b"));
   EXPECT_THAT(found(function("  const T a = a - x[0];\n")), testing::HasSubstr("use before the definition of a"));
-  EXPECT_THAT(found(function("  for (int i = 0; i < 2; ++i) {\n    const T a = x[i];\n    out[i] = a;\n  }\n  out[0] = a;\n")),
-              testing::HasSubstr("use before the definition of a"));
+  EXPECT_THAT(
+      found(function("  for (int i = 0; i < 2; ++i) {\n    const T a = x[i];\n    out[i] = a;\n  }\n  out[0] = a;\n")),
+      testing::HasSubstr("use before the definition of a"));
   EXPECT_THAT(found("struct F { enum : int { a, b, count }; };\nconst int n = F::c;\n"),
               testing::HasSubstr("use before the definition of F::c"));
 }
@@ -62,19 +66,22 @@ std::string pieces(const std::string& first, const std::string& second) {
 }
 
 TEST(CodeReadAgain, follows_results_from_piece_to_piece) {
-  const std::string makes = "  const T a = x[0];\n  shared.a = a;\n", takes = "  const T a = shared.a;\n  out[0] = a;\n";
+  const std::string makes = "  const T a = x[0];\n  shared.a = a;\n",
+                    takes = "  const T a = shared.a;\n  out[0] = a;\n";
   EXPECT_EQ(found(pieces(makes, takes)), "");
   EXPECT_THAT(found(pieces("", takes)), testing::HasSubstr("read before it is set: shared.a"));
   EXPECT_THAT(found(pieces(takes, "")), testing::HasSubstr("read before it is set: shared.a"));
   EXPECT_THAT(found(pieces(makes + "  shared.a = a;\n", takes)), testing::HasSubstr("set twice: shared.a"));
-  EXPECT_THAT(found(pieces(makes, takes + "  const T a = shared.a;\n")), testing::HasSubstr("a second definition of a"));
+  EXPECT_THAT(found(pieces(makes, takes + "  const T a = shared.a;\n")),
+              testing::HasSubstr("a second definition of a"));
   EXPECT_EQ(found(pieces(makes, takes) + "namespace g {\n" + pieces(makes, takes) + "}\n"), "");
 }
 
 // Whatever is missing, reading ends.
 TEST(CodeReadAgain, tells_code_that_ends_too_early) {
-  const std::string code = "struct F { enum : int { a, count }; };\ntemplate <class T>\nvoid f(const T* x, T* out) noexcept {\n"
-                           "  for (int i = 0; i < 2; ++i) out[i] = T(0);\n  const T a[2] = {x[0], x[F::a]};\n  out[0] = a[1];\n}";
+  const std::string code =
+      "struct F { enum : int { a, count }; };\ntemplate <class T>\nvoid f(const T* x, T* out) noexcept {\n"
+      "  for (int i = 0; i < 2; ++i) out[i] = T(0);\n  const T a[2] = {x[0], x[F::a]};\n  out[0] = a[1];\n}";
   EXPECT_EQ(found(code), "");
   for (std::size_t length = code.find("void f") + 6; length < code.size(); ++length)
     EXPECT_NE(found(code.substr(0, length)), "") << code.substr(0, length);
@@ -100,7 +107,8 @@ const std::string c_types =
     "static inline m_Prepared m_defaults(void) {\n  m_Prepared list;\n  list.a = (kanec_real)1;\n  return list;\n}\n";
 
 std::string c_function(const std::string& body) {
-  return c_types + "static inline void m_f(const m_Prepared* c, const kanec_real* x, kanec_real* out) {\n  (void)c;\n" + body + "}\n";
+  return c_types + "static inline void m_f(const m_Prepared* c, const kanec_real* x, kanec_real* out) {\n  (void)c;\n" +
+         body + "}\n";
 }
 
 TEST(CReadAgain, passes_where_every_name_is_declared_once_and_before_its_use) {
@@ -114,11 +122,13 @@ TEST(CReadAgain, tells_second_definitions_and_uses_before_the_definition) {
   using testing::HasSubstr;
   EXPECT_THAT(found_in_c(c_function("  const kanec_real a = x[0];\n  const kanec_real a = x[1];\n")),
               HasSubstr("a second definition of a (in m_f)"));
-  EXPECT_THAT(found_in_c(c_function("  out[0] = (kanec_real)2 * a;\n")), HasSubstr("use before the definition of a (in m_f)"));
+  EXPECT_THAT(found_in_c(c_function("  out[0] = (kanec_real)2 * a;\n")),
+              HasSubstr("use before the definition of a (in m_f)"));
   EXPECT_THAT(found_in_c(c_function("  out[m_nz] = x[0];\n")), HasSubstr("use before the definition of m_nz"));
   EXPECT_THAT(found_in_c(c_function("  (void)d;\n")), HasSubstr("use before the definition of d"));
   EXPECT_THAT(found_in_c(c_function("") + "enum { m_nx = 3 };\n"), HasSubstr("a second definition of m_nx"));
-  EXPECT_THAT(found_in_c(c_types + "static inline void m_f(kanec_real* out) {\n  *out = 1;"), HasSubstr("a brace is open"));
+  EXPECT_THAT(found_in_c(c_types + "static inline void m_f(kanec_real* out) {\n  *out = 1;"),
+              HasSubstr("a brace is open"));
 }
 
 TEST(CReadAgain, follows_results_from_piece_to_piece) {

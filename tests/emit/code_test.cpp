@@ -96,8 +96,8 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values) {
 program::Arguments<double> double_arguments(const Sample& sample) {
   const program::Arguments<long double> wide = arguments<long double>(sample);
   const auto narrowed = [](const std::vector<long double>& v) { return std::vector<double>(v.begin(), v.end()); };
-  return {narrowed(wide.parameters), narrowed(wide.x), narrowed(wide.y), narrowed(wide.ydot), narrowed(wide.inputs),
-          Driver::time};
+  return {narrowed(wide.parameters), narrowed(wide.x),      narrowed(wide.y),
+          narrowed(wide.ydot),       narrowed(wide.inputs), Driver::time};
 }
 
 void expect_counts(const Counts& executed, const program::Ledger& promised) {

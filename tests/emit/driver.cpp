@@ -147,28 +147,33 @@ std::string Driver::source(const std::vector<std::string>& scalars) const {
   const scene::Scene& scene = sample_.scene;
   std::string text =
       "#include \"" + generated_.name + ".hpp\"\n" + prologue + "\nnamespace model = kanec::" + generated_.name +
-      ";\n\ntemplate <class T>\nvoid run(const char* scalar, const std::vector<long double>& list, const std::vector<long double>& rates) {\n"
+      ";\n\ntemplate <class T>\nvoid run(const char* scalar, const std::vector<long double>& list, const "
+      "std::vector<long double>& rates) {\n"
       "  const std::vector<T> all = as<T>(list, rates);\n  std::size_t at = 0;\n"
       "  const auto take = [&](int n) {\n    const auto first = all.begin() + static_cast<std::ptrdiff_t>(at);\n"
       "    at += static_cast<std::size_t>(n);\n    return std::vector<T>(first, first + n);\n  };\n"
-      "  const std::vector<T> parameters = take(" + std::to_string(scene.parameters.size()) + ");\n"
+      "  const std::vector<T> parameters = take(" +
+      std::to_string(scene.parameters.size()) +
+      ");\n"
       "  const std::vector<T> all_x = take(model::nx), all_y = take(model::ny), all_ydot = take(model::ny);\n"
-      "  const std::vector<T> inputs = take(" + std::to_string(scene.inputs.size()) + ");\n"
+      "  const std::vector<T> inputs = take(" +
+      std::to_string(scene.inputs.size()) +
+      ");\n"
       "  const T t = take(1)[0];\n  const T *x = all_x.data(), *y = all_y.data(), *ydot = all_ydot.data();\n"
       "  static_cast<void>(t), static_cast<void>(x), static_cast<void>(y), static_cast<void>(ydot);\n"
-      "  model::Parameters<T> p;\n" + (used_.inputs.empty() ? "" : "  model::Inputs<T> u;\n");
-  text += fields("p", "parameters", scene.parameters, used_.parameters) +
-          fields("u", "inputs", scene.inputs, used_.inputs);
+      "  model::Parameters<T> p;\n" +
+      (used_.inputs.empty() ? "" : "  model::Inputs<T> u;\n");
+  text +=
+      fields("p", "parameters", scene.parameters, used_.parameters) + fields("u", "inputs", scene.inputs, used_.inputs);
   text += "  report<T>(scalar, \"prepare\", 0, [&](T*) { model::prepare(p); });\n";
   text += "  const model::Prepared<T> c = model::prepare(p);\n";
   for (const program::Function& function : generated_.program.functions) text += call(function);
-  text +=
-      "}\n\nint main() {\n  const int n = model::nx + 2 * model::ny + " +
-      std::to_string(scene.parameters.size() + scene.inputs.size() + 1) +
-      ";\n  const auto list = numbers(n), rates = numbers(n);\n";
+  text += "}\n\nint main() {\n  const int n = model::nx + 2 * model::ny + " +
+          std::to_string(scene.parameters.size() + scene.inputs.size() + 1) +
+          ";\n  const auto list = numbers(n), rates = numbers(n);\n";
   for (const std::string& scalar : scalars)
-    text +=
-        "  run<" + type_of(scalar) + ">(\"" + key(scalar, "").substr(0, key(scalar, "").size() - 1) + "\", list, rates);\n";
+    text += "  run<" + type_of(scalar) + ">(\"" + key(scalar, "").substr(0, key(scalar, "").size() - 1) +
+            "\", list, rates);\n";
   return text + "}\n";
 }
 

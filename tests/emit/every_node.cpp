@@ -88,7 +88,8 @@ Generated emitted(program::Program program, const scene::Scene& scene, emit::Lan
       {"a", "unread", "b"}, coordinate_names(scene), speed_names(scene), speed_rate_names(scene), {"idle", "drive"}};
   emit::Model model{&scene, "0", "0123456789abcdef", "all functions", "models/every_node.toml"};
   model.language = language;
-  if (language == emit::Language::c) return {program, scene.name, model.hash, emit::emit_header(model, program), "", "", ""};
+  if (language == emit::Language::c)
+    return {program, scene.name, model.hash, emit::emit_header(model, program), "", "", ""};
   return {program,
           scene.name,
           model.hash,

@@ -45,7 +45,8 @@ TEST_P(SmallTrees, give_the_numbers_of_their_programs_in_every_scalar) {
     EXPECT_LT(relative_difference(result, of_program, least_size), 1e-16);  // a few hundred roundings of 5e-20
     // folded constants are doubles, 1.1e-16 off, in sums that cancel
     EXPECT_LT(relative_difference(comparable(s, function.name, result),
-                                  comparable(s, function.name, generic_result(s, function.name, at)), least_size), 1e-12);
+                                  comparable(s, function.name, generic_result(s, function.name, at)), least_size),
+              1e-12);
     EXPECT_LT(relative_difference(driver.results<double>("double", function.name), of_program, least_size), 1e-12);
     // 6e-8 a rounding; measured 3e-5
     EXPECT_LT(relative_difference(driver.results<double>("float", function.name), of_program, least_size), 1e-3);
@@ -77,14 +78,17 @@ TEST(EmittedDerivatives, are_the_rates_of_the_emitted_functions_in_dual_numbers)
   for (const int seed : {100, 103}) {
     const Sample s = tree(seed, 2);
     ASSERT_GT(s.state.y.size() * s.scene.inputs.size(), 0u) << seed;
-    const Generated model = generate(s.scene, {{"residual", "residual_x", "residual_y", "residual_ydot", "accelerations",
-                                                "accelerations_x", "accelerations_y", "accelerations_u"}});
+    const Generated model =
+        generate(s.scene, {{"residual", "residual_x", "residual_y", "residual_ydot", "accelerations", "accelerations_x",
+                            "accelerations_y", "accelerations_u"}});
     Driver driver(s, model);
     ASSERT_EQ(driver.compile("g++", {"-O0"}, {"double", "dual"}), "");
     Random random(1);
     const program::Arguments<long double> rates = direction(s, random);
     driver.run(rates);
-    const auto times = [&](const std::string& name, const Vector& v) { return product(driver.results<double>("double", name), v); };
+    const auto times = [&](const std::string& name, const Vector& v) {
+      return product(driver.results<double>("double", name), v);
+    };
     const Vector by_xy = sum(times("accelerations_x", rates.x), times("accelerations_y", rates.y));
     const Vector of_accelerations = sum(by_xy, times("accelerations_u", rates.inputs));
     EXPECT_LT(relative_difference(driver.results<double>("dual", "accelerations"), of_accelerations), 1e-12) << seed;

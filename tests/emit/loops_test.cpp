@@ -52,8 +52,8 @@ std::vector<double> narrowed(const std::vector<long double>& v) { return {v.begi
 
 program::Arguments<double> double_arguments(const Sample& sample) {
   const program::Arguments<long double> wide = arguments<long double>(sample);
-  return {narrowed(wide.parameters), narrowed(wide.x), narrowed(wide.y), narrowed(wide.ydot), narrowed(wide.inputs),
-          Driver::time};
+  return {narrowed(wide.parameters), narrowed(wide.x),      narrowed(wide.y),
+          narrowed(wide.ydot),       narrowed(wide.inputs), Driver::time};
 }
 
 void expect_same_numbers(Driver& driver, const Generated& generated, const Sample& sample) {
@@ -88,7 +88,8 @@ TEST(Loops, give_the_bits_of_the_program_at_the_cost_of_its_ledger) {
 // The program does not depend on how it is written.
 TEST(Loops, change_no_program) {
   const scene::Scene scene = cases()[0].scene;
-  const Generated line = generate(scene, {{"residual"}}), loops = generate(scene, {{"residual"}, {}, emit::Optimize::loops});
+  const Generated line = generate(scene, {{"residual"}}),
+                  loops = generate(scene, {{"residual"}, {}, emit::Optimize::loops});
   EXPECT_EQ(program::ledger(line.program, line.program.functions[0]),
             program::ledger(loops.program, loops.program.functions[0]));
   EXPECT_NE(line.hash, loops.hash);

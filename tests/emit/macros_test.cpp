@@ -1,4 +1,5 @@
-// Emitted headers behind headers that define macros, and constants that are prepared at compile time. Oracle: the compilers.
+// Emitted headers behind headers that define macros, and constants that are prepared at compile time. Oracle: the
+// compilers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -121,10 +122,15 @@ int main(void) {
 }
 )");
   std::vector<std::string> results;
-  for (const auto& [compiler, standard, file] :
-       {std::tuple("g++", "-std=gnu++17", cpp), {"clang++", "-std=gnu++17", cpp}, {"gcc", "-std=gnu99", c}, {"clang", "-std=c99", c}}) {
+  for (const auto& [compiler, standard, file] : {std::tuple("g++", "-std=gnu++17", cpp),
+                                                 {"clang++", "-std=gnu++17", cpp},
+                                                 {"gcc", "-std=gnu99", c},
+                                                 {"clang", "-std=c99", c}}) {
     if (!find_program(compiler)) continue;
-    EXPECT_EQ(said({compiler, standard, "-O0", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", file, "-o", program, "-lm"}), "") << compiler;
+    EXPECT_EQ(said({compiler, standard, "-O0", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", file, "-o", program,
+                    "-lm"}),
+              "")
+        << compiler;
     results.push_back(said({program}));
     EXPECT_EQ(results.back(), results.front()) << compiler;
   }
@@ -168,7 +174,8 @@ const model::Prepared<double> kept = model::prepare<double>({});
 )");
   for (const char* compiler : {"g++", "clang++"}) {
     if (!find_program(compiler)) continue;
-    EXPECT_EQ(said({compiler, "-std=c++17", "-O0", "-Wall", "-Wextra", "-Werror", "-c", file, "-o", object}), "") << compiler;
+    EXPECT_EQ(said({compiler, "-std=c++17", "-O0", "-Wall", "-Wextra", "-Werror", "-c", file, "-o", object}), "")
+        << compiler;
     const std::string sections = said({"size", "-A", object});
     EXPECT_THAT(sections, testing::HasSubstr(".rodata"));
     EXPECT_THAT(sections, testing::Not(testing::HasSubstr(".init_array")));

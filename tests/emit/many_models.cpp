@@ -15,8 +15,9 @@ namespace {
 
 // The headers first, so that nothing of the library's is included within a namespace.
 std::string translation_unit(const std::vector<std::string>& names) {
-  std::string text = "#include <algorithm>\n#include <cmath>\n#include <cstdint>\n#include <cstring>\n#include <new>\n\n"
-                     "#include \"abi.h\"\n";
+  std::string text =
+      "#include <algorithm>\n#include <cmath>\n#include <cstdint>\n#include <cstring>\n#include <new>\n\n"
+      "#include \"abi.h\"\n";
   for (const std::string& name : names) text += "#include \"" + name + ".hpp\"\n";
   for (const std::string& name : names)
     text += "\n#define kanec_model_entry entry_of_" + name + "\nnamespace models_" + name + " {\n#include \"" + name +
@@ -63,8 +64,8 @@ std::vector<double> ManyModels::result(const std::string& model, const std::stri
                                        const Sample& sample) const {
   const auto entry = reinterpret_cast<kanec_entry>(::dlsym(handle_, ("entry_of_" + model).c_str()));
   if (entry == nullptr) throw std::runtime_error("no model " + model);
-  const kanec::State state{sample.t,        sample.state.x,    sample.state.y, sample.state.ydot,
-                         sample.parameters, sample.inputs};
+  const kanec::State state{sample.t,          sample.state.x,    sample.state.y,
+                           sample.state.ydot, sample.parameters, sample.inputs};
   return kanec::emitted(*entry(), sample.scene, function, state);
 }
 

@@ -1,5 +1,5 @@
-// Emitted models compiled together in one translation unit, which takes little longer than one of them, and called. Not:
-// any expectation.
+// Emitted models compiled together in one translation unit, which takes little longer than one of them, and called.
+// Not: any expectation.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ class ManyModels {
   // Names of models differ.
   void add(const Generated& generated);
 
-  // What the compiler says to every function of every model in double, every warning an error; empty where it has nothing
-  // to say.
+  // What the compiler says to every function of every model in double, every warning an error; empty where it has
+  // nothing to say.
   std::string complaints(const std::string& compiler) const;
 
   // Compiles without optimisation, and loads. Throws std::runtime_error with what the compiler says.

@@ -95,7 +95,8 @@ TEST_F(EveryNode, combined_returns_each_result_by_a_pointer_of_its_own) {
 TEST_F(EveryNode, leaves_out_parameters_and_inputs_that_nothing_reads_and_says_so) {
   EXPECT_THAT(generated.header, HasSubstr("struct Parameters {\n  T a = T(0.4);\n  T b = T(1.2);\n};"));
   EXPECT_THAT(generated.header, HasSubstr("struct Inputs {\n  T drive = T(-0.7);\n};"));
-  EXPECT_THAT(generated.header, HasSubstr("inline constexpr int n_parameters = 2;\ninline constexpr int n_inputs = 1;"));
+  EXPECT_THAT(generated.header,
+              HasSubstr("inline constexpr int n_parameters = 2;\ninline constexpr int n_inputs = 1;"));
   EXPECT_THAT(generated.header, HasSubstr("nothing here reads are left out: unread, idle.\n"));
   EXPECT_THAT(generated.abi, Not(HasSubstr("unread")));
 }

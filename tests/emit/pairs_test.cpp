@@ -65,10 +65,10 @@ void expect_generic_results(const ManyModels& models, const Member& member) {
                                           found.begin() + static_cast<std::ptrdiff_t>(begin + at_size(result.count)));
       begin += part.size();
       const program::Arguments<long double>& now = is_fed(function) ? fed : at;
-      EXPECT_LT(relative_difference(comparable(member.sample, result.function, part),
-                                    comparable(member.sample, result.function,
-                                               generic_result(member.sample, result.function, now)),
-                                    least_size),
+      EXPECT_LT(relative_difference(
+                    comparable(member.sample, result.function, part),
+                    comparable(member.sample, result.function, generic_result(member.sample, result.function, now)),
+                    least_size),
                 1e-9);
     }
   }
@@ -92,8 +92,8 @@ TEST_P(PairsOfJoints, compute_what_the_generic_path_does) {
   for (const Member& member : members) expect_generic_results(models, member);
 }
 
-// All functions, derivatives among them, as straight lines, loops and for size in turn, by both algorithms. clang++ reads them
-// faster than g++, which has its say above.
+// All functions, derivatives among them, as straight lines, loops and for size in turn, by both algorithms. clang++
+// reads them faster than g++, which has its say above.
 TEST_P(PairsOfJoints, compile_without_a_warning_in_every_form) {
   ManyModels models;
   const std::vector<std::string> kinds = every_joint();
@@ -121,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Groups, RandomTrees, testing::Range(0, 6));
 
 GenerateOptions in_some_form(int seed, const scene::Scene& scene) {
   GenerateOptions options{without_derivatives(scene)};
-  if (seed % 3 == 0) options.functions = {"accelerations+residual", "accelerations", "state_matrix", "residual_x+energy"};
+  if (seed % 3 == 0)
+    options.functions = {"accelerations+residual", "accelerations", "state_matrix", "residual_x+energy"};
   options.optimize = std::array{Optimize::line, Optimize::loops, Optimize::size}[static_cast<std::size_t>(seed) % 3];
   if (seed % 4 > 1) options.algorithm = seed % 4 == 2 ? Algorithm::composite : Algorithm::articulated;
   options.lengths = {40, 15};

@@ -19,7 +19,8 @@ using emit::Optimize;
 // Bytes of code and constants of the one function of a C header, at -Os.
 class Sizes {
  public:
-  Sizes(std::string compiler, std::vector<std::string> flags) : compiler_(std::move(compiler)), flags_(std::move(flags)) {}
+  Sizes(std::string compiler, std::vector<std::string> flags)
+      : compiler_(std::move(compiler)), flags_(std::move(flags)) {}
 
   // `size_tool` in Berkeley's format: text, which holds constants, then data.
   long of(const Generated& generated, const std::string& real, const std::string& size_tool) const {
@@ -54,8 +55,7 @@ Generated in_c(const scene::Scene& scene, const std::string& function, Optimize 
 
 class ForSize : public testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(Models, ForSize,
-                         testing::Values("arm_6", "quadruped", "cart_pole", "satellite"));
+INSTANTIATE_TEST_SUITE_P(Models, ForSize, testing::Values("arm_6", "quadruped", "cart_pole", "satellite"));
 
 // On the host, and on a Cortex-M4 where its compiler is installed.
 TEST_P(ForSize, no_function_is_larger_than_for_speed) {

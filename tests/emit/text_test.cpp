@@ -105,10 +105,11 @@ TEST(Header, has_no_struct_of_inputs_and_no_argument_for_them_where_no_function_
 TEST(Header, says_what_it_is_of_where_it_comes_from_and_what_it_costs) {
   const Generated generated = generate(shipped("six_body"));
   const std::string top = generated.header.substr(0, generated.header.find("#pragma once"));
-  for (const std::string& part : {"six_body: equations of motion of 6 rigid bodies, made by kanec " + version(),
-                                  generated.hash, std::string("the usual functions"), std::string("//   3 panel on 2: free\n"),
-                                  std::string("//   1 hub on the inertial frame: free\n"), std::string("Units SI"),
-                                  std::string("residual                1237 (619 add, 618 multiply)")})
+  for (const std::string& part :
+       {"six_body: equations of motion of 6 rigid bodies, made by kanec " + version(), generated.hash,
+        std::string("the usual functions"), std::string("//   3 panel on 2: free\n"),
+        std::string("//   1 hub on the inertial frame: free\n"), std::string("Units SI"),
+        std::string("residual                1237 (619 add, 618 multiply)")})
     EXPECT_NE(top.find(part), std::string::npos) << part;
 }
 

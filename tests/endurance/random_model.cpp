@@ -14,12 +14,13 @@ namespace {
 
 // Letters of the derivation, arguments, arrays and structs of emitted code.
 constexpr std::array words = {
-    "U1",     "omegadot1_1", "minus_U1_11", "t1_1", "b2_1", "z1_1",   "c0_1",  "x",    "y",     "ydot",     "xdot",
-    "c",      "p",           "u",    "k",    "row",    "own",   "of_L", "K",     "L",        "J1",
-    "frames", "frame",       "shared",      "block", "cosines", "sines", "place", "places", "inputs", "prepared", "A",
-    "f",      "r",           "S",           "B",    "F",    "N1",     "G2",    "select", "piece_1",
-    "cos_sin", "now",  "v",    "s",      "z",     "zdot", "n",     "i",        "j",
-    "model",  "at",          "steps",       "step", "D1",   "phi1",   "alpha1", "r_load_1", "F_1", "M_1",    "g_1"};
+    "U1",    "omegadot1_1", "minus_U1_11", "t1_1",     "b2_1",    "z1_1",    "c0_1",  "x",       "y",
+    "ydot",  "xdot",        "c",           "p",        "u",       "k",       "row",   "own",     "of_L",
+    "K",     "L",           "J1",          "frames",   "frame",   "shared",  "block", "cosines", "sines",
+    "place", "places",      "inputs",      "prepared", "A",       "f",       "r",     "S",       "B",
+    "F",     "N1",          "G2",          "select",   "piece_1", "cos_sin", "now",   "v",       "s",
+    "z",     "zdot",        "n",           "i",        "j",       "model",   "at",    "steps",   "step",
+    "D1",    "phi1",        "alpha1",      "r_load_1", "F_1",     "M_1",     "g_1"};
 
 class Names {
  public:

@@ -44,7 +44,8 @@ std::vector<Command> commands(Random& random, const scene::Scene& scene, bool is
   constexpr std::array algorithms = {"articulated", "composite"};
   constexpr std::array methods = {"rk4", "lie4", "gauss4", "gauss6", "arkode", "cvode", "taylor"};
   const auto in_some_form = [&](Command command, int functions) {
-    append(command, {"--functions", joined(random_functions(random, scene, functions)), "--optimize", one_of(random, forms)});
+    append(command,
+           {"--functions", joined(random_functions(random, scene, functions)), "--optimize", one_of(random, forms)});
     if (random.chance(0.3)) append(command, {"--algorithm", one_of(random, algorithms)});
     return command;
   };
@@ -72,8 +73,8 @@ class Soak {
 
   int all() {
     for (int number = 0; Clock::now() < end_; ++number) one(number);
-    std::printf("soak, seed %llu: %d scenes, %d commands, %d failures%s\n", static_cast<unsigned long long>(seed_), scenes_,
-                commands_, failures_, failures_ > 0 ? (", kept in " + kept_.string()).c_str() : "");
+    std::printf("soak, seed %llu: %d scenes, %d commands, %d failures%s\n", static_cast<unsigned long long>(seed_),
+                scenes_, commands_, failures_, failures_ > 0 ? (", kept in " + kept_.string()).c_str() : "");
     return failures_ > 0 ? 1 : 0;
   }
 
@@ -98,7 +99,8 @@ class Soak {
     const fs::path place = kept_ / (std::to_string(seed_) + "_" + std::to_string(number));
     fs::create_directories(place);
     fs::copy_file(folder / "scene.toml", place / "scene.toml", fs::copy_options::overwrite_existing);
-    write_file(place / "failure", outcome.command + "\nexit status " + std::to_string(outcome.status) + "\n" + outcome.output);
+    write_file(place / "failure",
+               outcome.command + "\nexit status " + std::to_string(outcome.status) + "\n" + outcome.output);
     std::printf("scene %d: exit status %d of %s\n", number, outcome.status, outcome.command.c_str());
     std::fflush(stdout);
   }
@@ -114,7 +116,9 @@ class Soak {
 
 int main(int argc, char** argv) {
   if (argc < 3 || argc > 4) {
-    std::fputs("soak SECONDS SEED [FOLDER]: random scenes through kanec; what fails is kept in FOLDER (soak_failures)\n", stderr);
+    std::fputs(
+        "soak SECONDS SEED [FOLDER]: random scenes through kanec; what fails is kept in FOLDER (soak_failures)\n",
+        stderr);
     return 2;
   }
   ::setenv("KANEC_CXXFLAGS", "-O0", 1);

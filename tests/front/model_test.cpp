@@ -1,4 +1,5 @@
-// Compiled models by the front door: evaluated one by one and in batches, loaded from files, refused where they do not fit.
+// Compiled models by the front door: evaluated one by one and in batches, loaded from files, refused where they do not
+// fit.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <fstream>
@@ -30,7 +31,8 @@ TEST_F(FrontModel, evaluates_by_name_with_parameters_and_inputs) {
   at.set_input("push", 2.0);
   const std::vector<double> pushed = at.evaluate("forcing", {.x = x, .y = y});
   EXPECT_NEAR(pushed[1] - f[1], 2.0, 1e-12);
-  for (const double r : at.evaluate("residual", {.x = x, .y = y, .ydot = at.evaluate("accelerations", {.x = x, .y = y})}))
+  for (const double r :
+       at.evaluate("residual", {.x = x, .y = y, .ydot = at.evaluate("accelerations", {.x = x, .y = y})}))
     EXPECT_NEAR(r, 0, 1e-12);
 }
 
@@ -93,7 +95,8 @@ TEST_F(FrontBatch, evaluates_many_states_in_either_order) {
   batch.evaluate(accelerations, {.count = count, .x = x, .y = y}, std::span<double>(out));
   const Evaluator one(model);
   for (std::size_t j = 0; j < count; ++j) {
-    const std::vector<double> alone = one.evaluate("accelerations", {.x = std::span(x).subspan(2 * j, 2), .y = std::span(y).subspan(2 * j, 2)});
+    const std::vector<double> alone =
+        one.evaluate("accelerations", {.x = std::span(x).subspan(2 * j, 2), .y = std::span(y).subspan(2 * j, 2)});
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(out[2 * j + i], alone[i], 1e-13 * (1 + std::fabs(alone[i])));
   }
   std::vector<double> xt(x.size()), yt(y.size());
@@ -102,7 +105,8 @@ TEST_F(FrontBatch, evaluates_many_states_in_either_order) {
       xt[i * count + j] = x[2 * j + i];
       yt[i * count + j] = y[2 * j + i];
     }
-  batch.evaluate(accelerations, {.count = count, .order = Order::entries, .x = xt, .y = yt}, std::span<double>(by_entry));
+  batch.evaluate(accelerations, {.count = count, .order = Order::entries, .x = xt, .y = yt},
+                 std::span<double>(by_entry));
   for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i < 2; ++i) ASSERT_EQ(by_entry[i * count + j], out[2 * j + i]);
 }
@@ -146,7 +150,8 @@ TEST_F(FrontBatch, of_float_takes_float) {
   batch.evaluate(batch.model().function("accelerations"), {.count = 1, .x = xf, .y = yf}, std::span<float>(out));
   const std::vector<double> xd(xf.begin(), xf.end()), yd(yf.begin(), yf.end());
   const std::vector<double> wanted = Evaluator(model).evaluate("accelerations", {.x = xd, .y = yd});
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(static_cast<double>(out[i]), wanted[i], 1e-5 * (1 + std::fabs(wanted[i])));
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(static_cast<double>(out[i]), wanted[i], 1e-5 * (1 + std::fabs(wanted[i])));
 }
 
 // Where the cache holds the compiled model of this scene, and of nothing else.

@@ -29,7 +29,8 @@ TEST(FrontScene, tells_its_states_parameters_and_functions) {
   EXPECT_EQ(scene.y().parts[1].begin, 1);
   EXPECT_EQ(scene.inputs()[0].name, "push");
   const std::vector<Offer> functions = scene.functions();
-  const auto mass = std::find_if(functions.begin(), functions.end(), [](const Offer& f) { return f.name == "mass_matrix"; });
+  const auto mass =
+      std::find_if(functions.begin(), functions.end(), [](const Offer& f) { return f.name == "mass_matrix"; });
   ASSERT_NE(mass, functions.end());
   EXPECT_THAT(mass->result.rows, ElementsAre("thetadot_2", "sdot_1"));
   EXPECT_EQ(mass->result.size, 4);
@@ -40,7 +41,8 @@ TEST(FrontScene, tells_its_states_parameters_and_functions) {
 TEST(FrontScene, reads_and_refuses_as_the_command_does) {
   EXPECT_THAT(refusal<SceneError>([] { Scene::parse("name = 3", "mine.toml"); }), HasSubstr("mine.toml:1"));
   EXPECT_THROW(Scene::read("/no/such/scene.toml"), FileError);
-  EXPECT_THAT(refusal<InputError>([] { shipped("cart_pole").results("acelerations"); }), HasSubstr("did you mean accelerations?"));
+  EXPECT_THAT(refusal<InputError>([] { shipped("cart_pole").results("acelerations"); }),
+              HasSubstr("did you mean accelerations?"));
   EXPECT_THAT(refusal<InputError>([] { shipped("cart_pole").with({{"pusch", 1}}); }), HasSubstr("did you mean push?"));
   EXPECT_THROW(Scene::tree({0, 3}), SceneError);
 }
@@ -49,7 +51,8 @@ TEST(FrontScene, emits_the_header_that_is_shipped) {
   const std::vector<File> files = shipped("cart_pole").generate();
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "cart_pole.hpp");
-  EXPECT_TRUE(files[0].text == file_text(std::filesystem::path(KANEC_SOURCE_DIR) / "generated" / "cart_pole" / "cart_pole.hpp"));
+  EXPECT_TRUE(files[0].text ==
+              file_text(std::filesystem::path(KANEC_SOURCE_DIR) / "generated" / "cart_pole" / "cart_pole.hpp"));
 }
 
 TEST(FrontScene, emits_every_kind_of_file_and_refuses_the_rest) {
@@ -67,14 +70,16 @@ TEST(FrontScene, emits_every_kind_of_file_and_refuses_the_rest) {
   emission = {};
   emission.optimize = "sized";
   EXPECT_THAT(refusal<InputError>([&] { scene.generate(emission); }), HasSubstr("did you mean size?"));
-  EXPECT_THAT(refusal<InputError>([&] { scene.generate({.functions = {"forcings"}}); }), HasSubstr("did you mean forcing?"));
+  EXPECT_THAT(refusal<InputError>([&] { scene.generate({.functions = {"forcings"}}); }),
+              HasSubstr("did you mean forcing?"));
   EXPECT_THAT(scene.generate({.language = "c"})[0].name, "cart_pole.h");
   EXPECT_THAT(scene.derive("latex"), HasSubstr("\\begin{document}"));
   EXPECT_THAT(refusal<InputError>([&] { scene.derive("html"); }), HasSubstr("allowed: text, latex, json"));
 }
 
 TEST(FrontScene, checks_its_compiled_functions) {
-  const std::vector<Agreed> list = shipped("cart_pole").check({.functions = {"accelerations", "mass_matrix"}}, shared_cache(), 8);
+  const std::vector<Agreed> list =
+      shipped("cart_pole").check({.functions = {"accelerations", "mass_matrix"}}, shared_cache(), 8);
   ASSERT_EQ(list.size(), 2u);
   for (const Agreed& one : list) EXPECT_TRUE(one.passed) << one.function;
 }
@@ -120,7 +125,8 @@ TEST(FrontScene, what_is_compiled_has_its_values) {
 
 TEST(FrontScene, a_scene_that_goes_away_after_reading_is_of_no_concern) {
   const Folder folder;
-  std::filesystem::copy(std::filesystem::path(KANEC_SOURCE_DIR) / "models" / "pendulum" / "scene.toml", folder.path() / "scene.toml");
+  std::filesystem::copy(std::filesystem::path(KANEC_SOURCE_DIR) / "models" / "pendulum" / "scene.toml",
+                        folder.path() / "scene.toml");
   const Scene scene = Scene::read(folder.path());
   std::filesystem::remove(folder.path() / "scene.toml");
   EXPECT_TRUE(scene.compile({.functions = {"accelerations"}}, shared_cache()).has("accelerations"));

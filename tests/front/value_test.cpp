@@ -50,8 +50,9 @@ TEST(BuiltScene, is_refused_where_the_file_would_be) {
 TEST(TomlText, quotes_what_would_end_a_text) {
   const std::string nasty = "a\"b\\c\nd\x01\x7f = [x]";
   const std::string text = toml_text({{"name", nasty}, {"x y", List{1, 0.1, true, Table{{"a", 1e300}}}}});
-  EXPECT_EQ(text, "\"name\" = \"a\\\"b\\\\c\\u000ad\\u0001\\u007f = [x]\"\n"
-                  "\"x y\" = [1, 0.1, true, {\"a\" = 1e+300}]\n");
+  EXPECT_EQ(text,
+            "\"name\" = \"a\\\"b\\\\c\\u000ad\\u0001\\u007f = [x]\"\n"
+            "\"x y\" = [1, 0.1, true, {\"a\" = 1e+300}]\n");
   EXPECT_THAT(refusal<SceneError>([&] { Scene::build({{"name", nasty}}); }), testing::HasSubstr("name"));
 }
 

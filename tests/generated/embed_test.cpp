@@ -36,8 +36,8 @@ TEST(PageOnEmbedding, shows_what_its_examples_give) {
         GTEST_LOG_(INFO) << "python3 is not installed: its example is not run";
         break;
       }
-      const ProcessResult result =
-          run_process({"/bin/sh", "-ec", "cd '" + folder.path().string() + "'\nPATH='" KANEC_BINARY_DIR "':$PATH\n" + block.text});
+      const ProcessResult result = run_process(
+          {"/bin/sh", "-ec", "cd '" + folder.path().string() + "'\nPATH='" KANEC_BINARY_DIR "':$PATH\n" + block.text});
       ASSERT_EQ(result.status, 0) << block.text << result.output;
       said = result.output;
     } else if (block.language == "text") {

@@ -189,7 +189,8 @@ mass = 1
 inertia = [1, 1, 1]
 q = [0.5, 0, 0]
 r = [0.5, 0, 0]
-)", "hinges.toml");
+)",
+                                          "hinges.toml");
   const System<Real> system(scene, {});
   const std::vector<Real> x = {0, 0.7L}, y = {0, 0}, none = {0}, unit = {1};
   const auto by_u = evaluate<Real>(system, "accelerations_u", {0, x, y, {}, none});

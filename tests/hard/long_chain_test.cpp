@@ -58,8 +58,7 @@ class LongChain : public testing::Test {
 // A Jacobian by differences takes 1024 evaluations, and BDF makes one in some 50 steps.
 TEST_F(LongChain, emitted_jacobians_save_nineteen_evaluations_in_twenty) {
   const std::unique_ptr<Answer> modes = uniform_chain(scene_);
-  const Summary emitted =
-      run(JacobianChoice::sparse, [&](const Row& row) { modes->compare(row); });
+  const Summary emitted = run(JacobianChoice::sparse, [&](const Row& row) { modes->compare(row); });
   EXPECT_GT(emitted.jacobians, 0);
   for (const Deviation& deviation : modes->deviations()) EXPECT_LT(deviation.value, 1e-3) << deviation.what;
   const Summary differences = run(JacobianChoice::differences);

@@ -64,12 +64,11 @@ constexpr std::array<const char*, nx> coordinate_names = {"theta_1", "eps_2_1", 
 constexpr std::array<const char*, ny> speed_names = {"thetadot_1", "omega_2_1", "omega_2_2", "omega_2_3", "sdot_3"};
 constexpr kanec_attitude attitude = {1, 1};
 
-const std::array<kanec_function, 4> separate = {
-    {function("kinematics", nx, kinematics), function("accelerations", ny, accelerations), function("power", 1, power),
-     function("energy", 2, energy)}};
-const std::array<kanec_function, 3> pair = {
-    {function("kinematics_and_accelerations", nx + ny, two_in_one), function("power", 1, power),
-     function("energy", 2, energy)}};
+const std::array<kanec_function, 4> separate = {{function("kinematics", nx, kinematics),
+                                                 function("accelerations", ny, accelerations),
+                                                 function("power", 1, power), function("energy", 2, energy)}};
+const std::array<kanec_function, 3> pair = {{function("kinematics_and_accelerations", nx + ny, two_in_one),
+                                             function("power", 1, power), function("energy", 2, energy)}};
 const std::array<kanec_function, 2> whole = {
     {function("kinematics_and_accelerations_and_power", nx + ny + 1, three_in_one), function("energy", 2, energy)}};
 

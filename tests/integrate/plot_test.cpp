@@ -195,8 +195,9 @@ TEST(PlotScript, of_a_long_chain_tells_bodies_by_colour_alone) {
     chain.coordinates.push_back("theta_" + std::to_string(k));
     chain.speeds.push_back("thetadot_" + std::to_string(k));
   }
-  EXPECT_THAT(gnuplot_script(sample_of(chain), "out.svg"),
-              AllOf(HasSubstr("angles (body 1 blue … 32 red)"), Not(HasSubstr("title 'theta_")), Not(HasSubstr("dt 2 title"))));
+  EXPECT_THAT(
+      gnuplot_script(sample_of(chain), "out.svg"),
+      AllOf(HasSubstr("angles (body 1 blue … 32 red)"), Not(HasSubstr("title 'theta_")), Not(HasSubstr("dt 2 title"))));
 }
 
 TEST(PlotScript, of_prescribed_coordinates_alone_is_drawn) {

@@ -1,7 +1,5 @@
 // Ensembles in lanes and in threads. Oracle: simulate(), one scenario at a time.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runtime/trajectory/batch_ensemble.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
+#include "runtime/trajectory/batch_ensemble.hpp"
 #include "runtime/trajectory/simulate.hpp"
 #include "tests/lanes/compiled.hpp"
 

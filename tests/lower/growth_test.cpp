@@ -1,5 +1,5 @@
-// Operations grow as the number of bodies does, on chains, stars and random trees of up to 500. Oracle: the law itself, on
-// counts, which are exact; no time is measured.
+// Operations grow as the number of bodies does, on chains, stars and random trees of up to 500. Oracle: the law itself,
+// on counts, which are exact; no time is measured.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
@@ -34,7 +34,8 @@ scene::Scene hinges(int n, int (*lower)(Random&, int)) {
     connection += (k == 1 ? "" : ", ") + std::to_string(lower(random, k));
     bodies += body(k);
   }
-  return scene::parse("name = \"hinges\"\nconnection = [" + connection + "]\ngravity = [0.0, 0.0, -9.81]\n" + bodies, "hinges");
+  return scene::parse("name = \"hinges\"\nconnection = [" + connection + "]\ngravity = [0.0, 0.0, -9.81]\n" + bodies,
+                      "hinges");
 }
 
 // Joint by joint: L D Lᵀ, where it is cheaper, grows with the depth of the tree as well.

@@ -1,5 +1,5 @@
-// Laws of mechanics that the programs of trees of every joint obey, whatever they were derived from. Oracles: the laws, with
-// rates by dual numbers along the motion.
+// Laws of mechanics that the programs of trees of every joint obey, whatever they were derived from. Oracles: the laws,
+// with rates by dual numbers along the motion.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// What is taken out of a scene before its equations are written changes no number. Oracle: the same scene with that left in:
-// welds unmerged, locks kept as coordinates, constants as parameters, and a gravity of zero that is a parameter.
+// What is taken out of a scene before its equations are written changes no number. Oracle: the same scene with that
+// left in: welds unmerged, locks kept as coordinates, constants as parameters, and a gravity of zero that is a
+// parameter.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
@@ -98,14 +99,16 @@ const LeftIn cases[] = {
 
 class Reduction : public testing::TestWithParam<LeftIn> {};
 
-INSTANTIATE_TEST_SUITE_P(Of, Reduction, testing::ValuesIn(cases), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Of, Reduction, testing::ValuesIn(cases),
+                         [](const auto& one) { return std::string(one.param.name); });
 
-// In long double, where what is left are folded constants, rounded to double once: 1e-16 each in sums that cancel. Measured:
-// 1.2e-13 for welds and locks, 3e-16 for constants and gravity.
+// In long double, where what is left are folded constants, rounded to double once: 1e-16 each in sums that cancel.
+// Measured: 1.2e-13 for welds and locks, 3e-16 for constants and gravity.
 TEST_P(Reduction, changes_no_number) {
   for (int seed = 0; seed < 24; ++seed) {
     const Sample s = tree(seed), left_in = GetParam().changed(s);
-    const std::vector<std::string> names = scene::size(s.scene) <= 3 ? every_function(s.scene) : without_derivatives(s.scene);
+    const std::vector<std::string> names =
+        scene::size(s.scene) <= 3 ? every_function(s.scene) : without_derivatives(s.scene);
     const program::Program reduced = program::optimized(kanec::program_of(s.scene, names));
     const program::Program whole = program::optimized(kanec::program_of(left_in.scene, names, {GetParam().reductions}));
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -20,7 +20,6 @@
 namespace kanec::test {
 namespace {
 
-
 std::vector<Precise> precise(const std::vector<double>& v) { return {v.begin(), v.end()}; }
 
 // Of one function in one state; a result that cancels below least_size is judged by that.

@@ -7,7 +7,8 @@
 namespace kanec::test {
 
 Sample sample_of(const scene::Scene& scene, Random& random) {
-  return {scene, random_state(random, scene), random_parameters(random, scene), random_inputs(random, scene), random.uniform(0, 2)};
+  return {scene, random_state(random, scene), random_parameters(random, scene), random_inputs(random, scene),
+          random.uniform(0, 2)};
 }
 
 program::Program program_of(const scene::Scene& scene, const std::vector<std::string>& functions) {

@@ -54,10 +54,11 @@ program::Arguments<long double> widened(const program::Arguments<T>& a) {
 std::vector<long double> generic_result(const Sample& s, const std::string& function,
                                         const program::Arguments<long double>& arguments);
 
-// Largest difference of two results, relative to the largest entry of the second, or to `least` where all of it cancels to
-// less than that.
+// Largest difference of two results, relative to the largest entry of the second, or to `least` where all of it cancels
+// to less than that.
 template <class T>
-double relative_difference(const std::vector<T>& found, const std::vector<long double>& expected, long double least = 0) {
+double relative_difference(const std::vector<T>& found, const std::vector<long double>& expected,
+                           long double least = 0) {
   if (found.size() != expected.size()) return HUGE_VAL;
   long double largest = 0;
   long double scale = least;

@@ -19,7 +19,8 @@ std::vector<std::string> without_derivatives(const scene::Scene& scene) {
   return names;
 }
 
-std::vector<long double> comparable(const Sample& s, const std::string& function, const std::vector<long double>& result) {
+std::vector<long double> comparable(const Sample& s, const std::string& function,
+                                    const std::vector<long double>& result) {
   const bool by_x = function == "residual_x" || function == "accelerations_x" || function == "power_x";
   return by_x ? along_tangent(s.scene, s.state.x, result) : result;
 }

@@ -14,12 +14,13 @@ namespace kanec::test {
 std::vector<std::string> every_function(const scene::Scene& scene);
 std::vector<std::string> without_derivatives(const scene::Scene& scene);
 
-// Numbers of the random scenes are between a tenth and a thousand, gravity is ten. A result that cancels below this, such as
-// the acceleration of a point that stands still, is compared with this size instead of its own.
+// Numbers of the random scenes are between a tenth and a thousand, gravity is ten. A result that cancels below this,
+// such as the acceleration of a point that stands still, is compared with this size instead of its own.
 inline constexpr long double least_size = 1e-2;
 
-// Derivatives by raw x along the unit sphere of the Euler parameters, all other results as they are: off the sphere, where
-// nothing moves, formulas differ.
-std::vector<long double> comparable(const Sample& s, const std::string& function, const std::vector<long double>& result);
+// Derivatives by raw x along the unit sphere of the Euler parameters, all other results as they are: off the sphere,
+// where nothing moves, formulas differ.
+std::vector<long double> comparable(const Sample& s, const std::string& function,
+                                    const std::vector<long double>& result);
 
 }  // namespace kanec::test

@@ -38,7 +38,8 @@ TEST_F(SpringChain, eigenvalues_are_the_squares_of_the_known_frequencies) {
     EXPECT_NEAR(modes.eigenvalues()[j - 1], frequency(j) * frequency(j), 1e-12 * 4 * k_over_m) << j;
 }
 
-// Mode j, pulled out as sin(i j π/(n+1)), is there mirrored after half its period. The method leaves (ω h)^4/120 = 1e-10.
+// Mode j, pulled out as sin(i j π/(n+1)), is there mirrored after half its period. The method leaves (ω h)^4/120 =
+// 1e-10.
 TEST_F(SpringChain, each_mode_swings_alone_with_its_frequency) {
   for (int j = 1; j <= n; ++j) {
     program::Arguments<double> at = model.start();

@@ -75,8 +75,7 @@ TEST(CartPole, accelerations_are_those_of_the_textbook) {
     at.x = {random.uniform(-3, 3), random.uniform(-1, 1)};
     at.y = {random.uniform(-5, 5), random.uniform(-0.02, 0.02)};
     at.inputs = {random.uniform(-10, 10)};
-    const Eigen::Vector2d expected =
-        cart_pole(at.x[0], at.y[0], at.inputs[0] - 0.05 * std::tanh(at.y[1] / 0.01));
+    const Eigen::Vector2d expected = cart_pole(at.x[0], at.y[0], at.inputs[0] - 0.05 * std::tanh(at.y[1] / 0.01));
     const std::vector<double> found = model("accelerations", at);
     for (int j = 0; j < 2; ++j)
       EXPECT_NEAR(found[static_cast<std::size_t>(j)], expected[j], 10 * tolerance * expected.cwiseAbs().maxCoeff());

@@ -12,7 +12,8 @@ namespace {
 using scene::Number;
 using scene::Scene;
 
-const std::vector<std::string> functions = {"kinematics", "energy", "accelerations", "residual", "forcing", "mass_matrix"};
+const std::vector<std::string> functions = {"kinematics", "energy",  "accelerations",
+                                            "residual",   "forcing", "mass_matrix"};
 
 void expect_equal_operations(const Scene& reduced, const Scene& smaller, const char* what) {
   const Model left(reduced, functions), right(smaller, functions);
@@ -24,9 +25,8 @@ void expect_equal_operations(const Scene& reduced, const Scene& smaller, const c
 Scene welded(Scene scene, int k) {
   scene.bodies[static_cast<std::size_t>(k - 1)].joint.kind = "weld";
   scene.bodies[static_cast<std::size_t>(k - 1)].joint.turns.clear();
-  std::erase_if(scene.loads, [k](const scene::Load& load) {
-    return load.kind == scene::Load::Kind::joint && load.point.body == k;
-  });
+  std::erase_if(scene.loads,
+                [k](const scene::Load& load) { return load.kind == scene::Load::Kind::joint && load.point.body == k; });
   return scene;
 }
 
@@ -54,8 +54,7 @@ Scene with_ballast(Scene scene, std::size_t k) {
 TEST(Reductions, weld_adds_no_operations) {
   for (const char* name : {"double_pendulum", "arm_7", "bench_s6r", "spinning_top"}) {
     const Scene scene = shipped_scene(name);
-    for (std::size_t k = 1; k <= scene.bodies.size(); ++k)
-      expect_equal_operations(with_ballast(scene, k), scene, name);
+    for (std::size_t k = 1; k <= scene.bodies.size(); ++k) expect_equal_operations(with_ballast(scene, k), scene, name);
   }
 }
 

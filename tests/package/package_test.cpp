@@ -53,8 +53,9 @@ class Package : public testing::Test {
 };
 
 TEST_F(Package, has_tool_headers_libraries_and_documents) {
-  for (const char* file : {"bin/kanec", "include/kanec/kanec.hpp", "include/kanec/abi.h", "include/kanec/rk4_step.hpp",
-                           "share/man/man1/kanec.1", "share/bash-completion/completions/kanec", "share/kanec/models/six_body/scene.toml"})
+  for (const char* file :
+       {"bin/kanec", "include/kanec/kanec.hpp", "include/kanec/abi.h", "include/kanec/rk4_step.hpp",
+        "share/man/man1/kanec.1", "share/bash-completion/completions/kanec", "share/kanec/models/six_body/scene.toml"})
     EXPECT_TRUE(fs::exists(prefix() / file)) << file;
   for (const auto& entry : fs::recursive_directory_iterator(prefix() / "include")) {
     if (!entry.is_regular_file()) continue;
@@ -65,7 +66,8 @@ TEST_F(Package, has_tool_headers_libraries_and_documents) {
 
 TEST_F(Package, is_found_by_cmake) {
   build("cpp");
-  EXPECT_EQ(run({(binary("cpp") / "user").string(), scene("pendulum")}, cache()), "pendulum: 51 rows, 1 accelerations\n");
+  EXPECT_EQ(run({(binary("cpp") / "user").string(), scene("pendulum")}, cache()),
+            "pendulum: 51 rows, 1 accelerations\n");
   const ProcessResult refused = run_process({(binary("cpp") / "user").string(), "/no/such/scene.toml"}, {}, cache());
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.output, HasSubstr("/no/such/scene.toml"));
@@ -91,7 +93,8 @@ TEST_F(Package, pkg_config_knows_the_libraries) {
                                return std::string();
                              }()}};
   std::istringstream flags(run({"pkg-config", "--cflags", "--libs", "kanec"}, path));
-  std::vector<std::string> command = {"c++", "-std=c++20", (source("cpp") / "main.cpp").string(), "-o", folder_file("user").string()};
+  std::vector<std::string> command = {"c++", "-std=c++20", (source("cpp") / "main.cpp").string(), "-o",
+                                      folder_file("user").string()};
   for (std::string flag; flags >> flag;) command.push_back(flag);
   command.push_back("-Wl,-rpath," + path[0].second + "/..");
   run(command);

@@ -23,8 +23,7 @@ std::vector<Field> values(const Program& program) {
 // x + 1/2 + y + 1/4 - 2.
 TEST(Collect, constants_of_a_sum_become_one) {
   SmallProgram b;
-  const Program program =
-      b.with({b.subtract(b.add(b.add(b.add(b.x(0), b.c(0.5)), b.x(1)), b.c(0.25)), b.c(2))});
+  const Program program = b.with({b.subtract(b.add(b.add(b.add(b.x(0), b.c(0.5)), b.x(1)), b.c(0.25)), b.c(2))});
   const Program collected = drop_dead(collect(program));
   EXPECT_EQ(operations(program), 4);
   EXPECT_EQ(operations(collected), 2);

@@ -91,16 +91,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Rule{"cosine", [](SmallProgram& b, Ref u, Ref) { return b.cosine(-u); }}, unary("tan", Unary::tan),
                     unary("asin", Unary::asin), unary("acos", Unary::acos), unary("exp", Unary::exp),
                     unary("log", Unary::log), unary("abs", Unary::abs), unary("tanh", Unary::tanh),
-                    Rule{"abs_of_a_negative", [](SmallProgram& b, Ref u, Ref v) {
+                    Rule{"abs_of_a_negative",
+                         [](SmallProgram& b, Ref u, Ref v) {
                            return b.call(Unary::abs, b.subtract(b.multiply(u, v), b.c(1)));
                          }},
                     binary("atan2", Binary::atan2), binary("min", Binary::min), binary("max", Binary::max),
                     binary("pow", Binary::pow),
                     Rule{"whole_power", [](SmallProgram& b, Ref u, Ref) { return b.call(Binary::pow, u, b.c(-3)); }},
                     Rule{"real_power", [](SmallProgram& b, Ref u, Ref) { return b.call(Binary::pow, u, b.c(2.7)); }},
-                    Rule{"selection", [](SmallProgram& b, Ref u, Ref v) {
-                           return b.select(b.subtract(u, v), b.multiply(u, u), -v);
-                         }}),
+                    Rule{"selection", [](SmallProgram& b, Ref u,
+                                         Ref v) { return b.select(b.subtract(u, v), b.multiply(u, u), -v); }}),
     [](const auto& rule) { return std::string(rule.param.name); });
 
 TEST_P(EveryRule, gives_the_rate_of_dual_numbers) {

@@ -74,8 +74,8 @@ TEST(Jacobian, of_one_result_by_many_variables_is_that_of_reverse_differentiatio
   EXPECT_LE(cost(program, gradient), 3 * (n - 1));
 }
 
-// sin(y_i s), s = sin(a · x): from n variables through one result to m. Column by column 2 n m + n products, and n m + n + m
-// where the derivatives of the m by s are formed first.
+// sin(y_i s), s = sin(a · x): from n variables through one result to m. Column by column 2 n m + n products, and n m +
+// n + m where the derivatives of the m by s are formed first.
 TEST(Jacobian, through_one_result_passes_by_it_once) {
   constexpr Index n = 6, m = 6;
   SmallProgram b;

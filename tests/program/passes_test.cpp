@@ -58,8 +58,8 @@ int total(const Program& program) {
   return n;
 }
 
-// A sign taken out of an argument of a root or a function comes back as a subtraction; a power with a whole exponent up to
-// 8 becomes at most four products and a quotient.
+// A sign taken out of an argument of a root or a function comes back as a subtraction; a power with a whole exponent up
+// to 8 becomes at most four products and a quotient.
 int possible_signs(const Ledger& ledger) { return ledger.square_roots + 5 * ledger.functions; }
 
 TEST_P(EveryPass, never_raises_the_cost) {

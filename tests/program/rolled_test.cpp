@@ -46,14 +46,22 @@ class Evaluation {
   T value(const Leaf& leaf, std::size_t m) {
     const Index place_of = leaf.places[m];
     switch (leaf.kind) {
-      case LeafKind::constant: return T(leaf.numbers[m].rounded());
-      case LeafKind::x: return at_[{Group::x, place_of}];
-      case LeafKind::y: return at_[{Group::y, place_of}];
-      case LeafKind::ydot: return at_[{Group::ydot, place_of}];
-      case LeafKind::input: return at_[{Group::input, place_of}];
-      case LeafKind::time: return at_.time;
-      case LeafKind::prepared: return values_[static_cast<std::size_t>(place_of)];
-      case LeafKind::frame: return place(place_of, leaf.fields[m]);
+      case LeafKind::constant:
+        return T(leaf.numbers[m].rounded());
+      case LeafKind::x:
+        return at_[{Group::x, place_of}];
+      case LeafKind::y:
+        return at_[{Group::y, place_of}];
+      case LeafKind::ydot:
+        return at_[{Group::ydot, place_of}];
+      case LeafKind::input:
+        return at_[{Group::input, place_of}];
+      case LeafKind::time:
+        return at_.time;
+      case LeafKind::prepared:
+        return values_[static_cast<std::size_t>(place_of)];
+      case LeafKind::frame:
+        return place(place_of, leaf.fields[m]);
     }
     throw InternalError("no such leaf");
   }
@@ -85,7 +93,8 @@ TEST(Rolled, gives_the_values_of_the_straight_line_for_random_programs) {
       if (!loops) continue;
       ++n_functions;
       for (const SectionClass& kind : loops->classes) check(kind.body);
-      EXPECT_EQ(Evaluation(program, *loops, at, function.outputs.size()).outputs(), evaluate(program, function, at)) << seed;
+      EXPECT_EQ(Evaluation(program, *loops, at, function.outputs.size()).outputs(), evaluate(program, function, at))
+          << seed;
     }
   }
   EXPECT_GT(n_functions, 50);

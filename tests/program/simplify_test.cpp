@@ -74,13 +74,10 @@ TEST(Simplify, constants_fold_through_a_chain_without_rounding_between) {
 
 // (7/10/3)·3 - 7/10 in double-double is some 1e-33; and (1/10·1.85)/1.85 is the double 0.1 again.
 TEST(Simplify, rounding_of_folded_constants_is_not_taken_for_a_value) {
-  expect_constant(simplified([](SmallProgram& b) {
-                    return b.subtract(b.multiply(b.divide(b.c(0.7), b.c(3)), b.c(3)), b.c(0.7));
-                  }),
-                  0.0);
-  expect_constant(simplified([](SmallProgram& b) {
-                    return b.divide(b.multiply(b.c(0.1), b.c(1.85)), b.c(1.85));
-                  }),
+  expect_constant(
+      simplified([](SmallProgram& b) { return b.subtract(b.multiply(b.divide(b.c(0.7), b.c(3)), b.c(3)), b.c(0.7)); }),
+      0.0);
+  expect_constant(simplified([](SmallProgram& b) { return b.divide(b.multiply(b.c(0.1), b.c(1.85)), b.c(1.85)); }),
                   0.1);
 }
 

@@ -134,7 +134,8 @@ TEST(Load, magnitude_of_numbers_alone_is_a_constant) {
 TEST(Load, part_of_numbers_alone_that_is_not_finite_is_refused) {
   for (const std::string text : {"0/0 + t", "0*(1/0) + t", "t*log(0)", "max(sqrt(-1), t)"})
     EXPECT_THAT(refusal("kind = 'force'\nbody = 'arm'\nvector = ['" + text + "', 0, 0]"),
-                HasSubstr("found \"" + text + "\", which is not finite; ")) << text;
+                HasSubstr("found \"" + text + "\", which is not finite; "))
+        << text;
   EXPECT_EQ(load("kind = 'force'\nbody = 'arm'\nvector = ['0/2 + t', 0, 0]").vector[0].kind, Number::Kind::expression);
 }
 

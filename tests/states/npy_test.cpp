@@ -30,7 +30,8 @@ class Npy : public testing::Test {
   // As numpy.save writes it, version 1.
   static std::string file(const std::string& dictionary, std::size_t data) {
     const std::string header = dictionary + "\n";
-    return std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) + '\0' + header + std::string(data, 'x');
+    return std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) + '\0' + header +
+           std::string(data, 'x');
   }
 
  private:
@@ -69,7 +70,8 @@ TEST_F(Npy, that_is_none_is_refused) {
   refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (), }", 8), "0 dimensions");
   refuses(file("{'fortran_order': False, 'shape': (1, 1), }", 8), "without descr");
   refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999999999, 1), }", 8), "shape");
-  refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (1099511627776, 1048576), }", 8), "its header announces");
+  refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (1099511627776, 1048576), }", 8),
+          "its header announces");
   refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", 47), "its header announces");
   refuses(file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", 49), "its header announces");
 }

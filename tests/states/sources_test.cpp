@@ -56,7 +56,8 @@ class States : public testing::Test {
 };
 
 TEST_F(States, of_csv_by_number_and_by_body_in_any_order) {
-  const auto list = all("a.csv", "s_cart[m], theta_2[rad] ,thetadot_pole,sdot_1,push,t\n1,2,3,4,5,6\r\n\n# a remark\n-1e3,+.5,0,0,0,0");
+  const auto list = all(
+      "a.csv", "s_cart[m], theta_2[rad] ,thetadot_pole,sdot_1,push,t\n1,2,3,4,5,6\r\n\n# a remark\n-1e3,+.5,0,0,0,0");
   ASSERT_EQ(list.size(), 2u);
   EXPECT_THAT(list[0].x, ElementsAre(2, 1));
   EXPECT_THAT(list[0].y, ElementsAre(3, 4));
@@ -66,7 +67,11 @@ TEST_F(States, of_csv_by_number_and_by_body_in_any_order) {
 }
 
 TEST_F(States, of_a_trajectory) {
-  EXPECT_EQ(all("run.csv", "t[s],theta_2[rad],s_1[m],thetadot_2[rad/s],sdot_1[m/s],kinetic[J],potential[J],work[J]\n0,1,2,3,4,5,6,7\n").size(), 1u);
+  EXPECT_EQ(
+      all("run.csv",
+          "t[s],theta_2[rad],s_1[m],thetadot_2[rad/s],sdot_1[m/s],kinetic[J],potential[J],work[J]\n0,1,2,3,4,5,6,7\n")
+          .size(),
+      1u);
 }
 
 TEST_F(States, of_csv_that_is_none_are_refused_by_line) {
@@ -84,14 +89,16 @@ TEST_F(States, of_csv_that_is_none_are_refused_by_line) {
 
 TEST_F(States, of_json_lines) {
   const auto list = all("a.jsonl",
-                        "{\"x\": {\"theta_pole\": 1, \"s_1\": 2}, \"y\": {\"thetadot_2\": 3, \"sdot_cart\": 4}, \"inputs\": {\"push\": 9}}\n\n"
+                        "{\"x\": {\"theta_pole\": 1, \"s_1\": 2}, \"y\": {\"thetadot_2\": 3, \"sdot_cart\": 4}, "
+                        "\"inputs\": {\"push\": 9}}\n\n"
                         "{\"x\": {\"theta_2\": 5, \"s_1\": 6}, \"y\": {\"thetadot_2\": 7, \"sdot_1\": 8}}");
   ASSERT_EQ(list.size(), 2u);
   EXPECT_THAT(list[0].x, ElementsAre(1, 2));
   EXPECT_THAT(list[0].inputs, ElementsAre(9));
   EXPECT_THAT(list[1].inputs, ElementsAre(0));
   refuses("a.jsonl", "{\"x\": {\"theta_2\": 5, \"theta_pole\": 5, \"s_1\": 6}, \"y\": {}}\n", "which are one");
-  refuses("a.jsonl", "{\"x\": {\"theta_2\": 5, \"s_1\": 6}, \"y\": {\"thetadot_2\": 7, \"sdot_1\": 8}}\n{\"x\": \n", "a.jsonl:2");
+  refuses("a.jsonl", "{\"x\": {\"theta_2\": 5, \"s_1\": 6}, \"y\": {\"thetadot_2\": 7, \"sdot_1\": 8}}\n{\"x\": \n",
+          "a.jsonl:2");
 }
 
 TEST_F(States, of_npy_with_and_without_time) {
@@ -122,7 +129,8 @@ TEST_F(States, of_npy_that_do_not_fit_are_refused) {
 }
 
 TEST_F(States, results_have_names_and_units) {
-  EXPECT_THAT(result_names(result_layouts(scene, "accelerations")), ElementsAre("thetaddot_2[rad/s^2]", "sddot_1[m/s^2]"));
+  EXPECT_THAT(result_names(result_layouts(scene, "accelerations")),
+              ElementsAre("thetaddot_2[rad/s^2]", "sddot_1[m/s^2]"));
   EXPECT_THAT(result_names(result_layouts(scene, "mass_matrix")), ElementsAre("A_1_1", "A_1_2", "A_2_1", "A_2_2"));
   EXPECT_THAT(result_names(result_layouts(scene, "forcing+energy"))[2], "energy.kinetic[J]");
 }

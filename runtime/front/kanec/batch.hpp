@@ -24,16 +24,16 @@ enum class Order {
 template <class Real>
 struct StatesView {
   std::int64_t count = 0;
-  Order order = Order::states;  // of x, y, ydot, inputs and of the results
-  std::span<const Real> t = {};     // [s] (count), or one for all; empty: 0
-  std::span<const Real> x = {};     // (count × nx)
-  std::span<const Real> y = {};     // (count × ny)
-  std::span<const Real> ydot = {};  // (count × ny)
+  Order order = Order::states;        // of x, y, ydot, inputs and of the results
+  std::span<const Real> t = {};       // [s] (count), or one for all; empty: 0
+  std::span<const Real> x = {};       // (count × nx)
+  std::span<const Real> y = {};       // (count × ny)
+  std::span<const Real> ydot = {};    // (count × ny)
   std::span<const Real> inputs = {};  // (count × the model's inputs); empty: those that were set, for all
 };
 
-// Results do not depend on the number of threads, nor on the other states. They differ from Evaluator's by rounding: lanes
-// have sines and cosines of their own. Moved, not copied; from one thread at a time.
+// Results do not depend on the number of threads, nor on the other states. They differ from Evaluator's by rounding:
+// lanes have sines and cosines of their own. Moved, not copied; from one thread at a time.
 class KANEC_API Batch {
  public:
   // A shared library of a batch. threads: in all, 0: one a processor. Throws FileError, LoadError.
@@ -57,8 +57,8 @@ class KANEC_API Batch {
   // For each state its own (count × parameters); later batches have as many states at most.
   void set_parameters_each(std::int64_t count, std::span<const double> values, Order order = Order::states);
 
-  // Into out (count × function.size). Throws InputError for arguments of another size, and for a batch of the other kind
-  // of number.
+  // Into out (count × function.size). Throws InputError for arguments of another size, and for a batch of the other
+  // kind of number.
   void evaluate(const Function& function, const StatesView<double>& states, std::span<double> out);
   void evaluate(const Function& function, const StatesView<float>& states, std::span<float> out);
 

@@ -1,5 +1,5 @@
-// A compiled model: loaded, asked for its names and sizes, evaluated in one state. Not: many states (batch.hpp), nor how
-// it is made of a scene (scene.hpp).
+// A compiled model: loaded, asked for its names and sizes, evaluated in one state. Not: many states (batch.hpp), nor
+// how it is made of a scene (scene.hpp).
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
@@ -23,8 +23,8 @@ struct Quantity {
   double value = 0.0;
 };
 
-// A function of a model, by which it is called. A combined one is named "kinematics_and_accelerations"; its results stand
-// one after another.
+// A function of a model, by which it is called. A combined one is named "kinematics_and_accelerations"; its results
+// stand one after another.
 struct Function {
   std::string name;
   int size = 0;  // numbers of a result; matrices stand row by row
@@ -36,16 +36,17 @@ struct Function {
 struct StateView {
   double t = 0.0;                  // [s]
   std::span<const double> x = {};  // coordinates: Euler parameters (scalar last), angles [rad], translations [m]
-  std::span<const double> y = {};  // speeds: absolute angular velocities in body axes, rates of angles [rad/s], of translations [m/s]
+  std::span<const double> y =
+      {};  // speeds: absolute angular velocities in body axes, rates of angles [rad/s], of translations [m/s]
   std::span<const double> ydot = {};
 };
 
-// Cheap to copy: copies share the library, which stays loaded as long as one of them, or an Evaluator of one, lives. All
-// functions may be called from several threads at once.
+// Cheap to copy: copies share the library, which stays loaded as long as one of them, or an Evaluator of one, lives.
+// All functions may be called from several threads at once.
 class KANEC_API Model {
  public:
-  // A shared library of `kanec generate --abi` and abi.h, or of a cache. Throws FileError where there is no whole library,
-  // LoadError where it is no model, or one of another ABI version.
+  // A shared library of `kanec generate --abi` and abi.h, or of a cache. Throws FileError where there is no whole
+  // library, LoadError where it is no model, or one of another ABI version.
   static Model load(const std::filesystem::path& library);
   // A model that something else keeps loaded, at least as long as `owner`.
   Model(const kanec_model& model, std::shared_ptr<const void> owner);
@@ -64,8 +65,8 @@ class KANEC_API Model {
   Model with(const std::vector<Quantity>& values) const;
   std::vector<Function> functions() const;
   bool has(std::string_view function) const;
-  // "accelerations"; "kinematics+accelerations" as well as "kinematics_and_accelerations". Throws InputError, which names
-  // the nearest.
+  // "accelerations"; "kinematics+accelerations" as well as "kinematics_and_accelerations". Throws InputError, which
+  // names the nearest.
   Function function(std::string_view name) const;
 
   const kanec_model& abi() const { return *model_; }
@@ -76,8 +77,8 @@ class KANEC_API Model {
   std::vector<Quantity> parameters_, inputs_;
 };
 
-// A model with values of its parameters and inputs. evaluate() may be called from several threads at once while none calls
-// a function that is not const. Copies have their own values.
+// A model with values of its parameters and inputs. evaluate() may be called from several threads at once while none
+// calls a function that is not const. Copies have their own values.
 class KANEC_API Evaluator {
  public:
   // With the model's defaults.

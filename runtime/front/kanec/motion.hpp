@@ -27,16 +27,16 @@ struct WatchedEvent {
 
 // As [simulate] of a scene, and `kanec simulate --help`, have them.
 struct Run {
-  double duration = 10.0;             // [s]
-  double output_step = 0.01;          // between rows [s]
+  double duration = 10.0;     // [s]
+  double output_step = 0.01;  // between rows [s]
   std::string integrator = "arkode";
-  double step = 1e-3;                 // of those with fixed steps, the longest [s]
-  double longest_step = 0.0;          // of those with error control [s]; 0: as long as the error allows
+  double step = 1e-3;         // of those with fixed steps, the longest [s]
+  double longest_step = 0.0;  // of those with error control [s]; 0: as long as the error allows
   double relative_tolerance = 1e-9;
   double absolute_tolerance = 1e-12;
-  int order = 0;                      // 0: by itself
+  int order = 0;  // 0: by itself
   std::string jacobian = "auto";
-  bool has_kinks = false;             // rates that are not smooth everywhere
+  bool has_kinks = false;  // rates that are not smooth everywhere
   std::vector<WatchedEvent> events = {};
 };
 
@@ -49,9 +49,9 @@ struct Happening {
 // Rows of a run, the first at t = 0.
 struct Motion {
   int nx = 0, ny = 0;
-  std::vector<double> t;                   // [s] (rows)
-  std::vector<double> x, y;                // (rows × nx), (rows × ny), row by row
-  std::vector<double> work;                // of the applied loads since t = 0 [J] (rows); 0 where the model has no `power`
+  std::vector<double> t;     // [s] (rows)
+  std::vector<double> x, y;  // (rows × nx), (rows × ny), row by row
+  std::vector<double> work;  // of the applied loads since t = 0 [J] (rows); 0 where the model has no `power`
   std::vector<double> kinetic, potential;  // [J] (rows); empty where the model has no `energy`
   std::vector<double> inputs;              // at the end
   std::vector<Happening> happenings;
@@ -62,8 +62,12 @@ struct Motion {
   double norm_error = 0.0;             // worst | |ε| - 1 | of a step's end before it is projected
 
   std::size_t rows() const { return t.size(); }
-  std::span<const double> x_at(std::size_t row) const { return {x.data() + row * static_cast<std::size_t>(nx), static_cast<std::size_t>(nx)}; }
-  std::span<const double> y_at(std::size_t row) const { return {y.data() + row * static_cast<std::size_t>(ny), static_cast<std::size_t>(ny)}; }
+  std::span<const double> x_at(std::size_t row) const {
+    return {x.data() + row * static_cast<std::size_t>(nx), static_cast<std::size_t>(nx)};
+  }
+  std::span<const double> y_at(std::size_t row) const {
+    return {y.data() + row * static_cast<std::size_t>(ny), static_cast<std::size_t>(ny)};
+  }
 };
 
 // The functions that a run calls, to be compiled for it: "kinematics+accelerations+power" and what the method needs.
@@ -79,7 +83,7 @@ using Progress = std::function<void(double fraction)>;
 
 // With the evaluator's parameters and inputs, from x and y at t = 0. Throws InputError (settings, the state, a model
 // without the functions that are needed), IntegrationError (time and cause).
-KANEC_API Motion simulate(const Evaluator& evaluator, std::span<const double> x, std::span<const double> y, const Run& run,
-                          const Progress& progress = {});
+KANEC_API Motion simulate(const Evaluator& evaluator, std::span<const double> x, std::span<const double> y,
+                          const Run& run, const Progress& progress = {});
 
 }  // namespace kanec

@@ -30,7 +30,7 @@ struct Part {
 
 // What the numbers of a state or a result are, in order.
 struct Shape {
-  std::string name;         // "x", "mass_matrix"
+  std::string name;  // "x", "mass_matrix"
   std::vector<Part> parts;
   std::vector<std::string> rows, columns;  // their names in wide matrices; else empty
   int size = 0;
@@ -50,12 +50,13 @@ struct File {
 
 // What is emitted.
 struct Emission {
-  std::vector<std::string> functions = {};  // empty: those that the scene names, else the usual ones; "a+b": both in one
-  std::string language = "cpp";             // or "c"
-  std::string optimize = "speed";           // "size", "line", "loops"
-  std::string algorithm = "auto";           // "composite", "articulated"
-  bool taylor = false;                      // with the Taylor series of the motion
-  bool abi = false;                         // with what a shared library is made of
+  std::vector<std::string> functions =
+      {};                          // empty: those that the scene names, else the usual ones; "a+b": both in one
+  std::string language = "cpp";    // or "c"
+  std::string optimize = "speed";  // "size", "line", "loops"
+  std::string algorithm = "auto";  // "composite", "articulated"
+  bool taylor = false;             // with the Taylor series of the motion
+  bool abi = false;                // with what a shared library is made of
   std::function<void(const std::string& note)> tell = {};
 };
 
@@ -78,8 +79,8 @@ struct Agreed {
   bool passed = false;
 };
 
-// Cheap to copy; all functions may be called from several threads at once, but that derivations take turns: GiNaC counts
-// references without a lock.
+// Cheap to copy; all functions may be called from several threads at once, but that derivations take turns: GiNaC
+// counts references without a lock.
 class KANEC_API Scene {
  public:
   // A scene.toml, or the folder of one. Throws SceneError, FileError.
@@ -91,8 +92,8 @@ class KANEC_API Scene {
   static Scene tree(const std::vector<int>& lower);
 
   std::string name() const;
-  std::string text() const;                   // TOML that reads back as the same scene
-  std::vector<std::string> remarks() const;   // notes and warnings of reading
+  std::string text() const;                  // TOML that reads back as the same scene
+  std::vector<std::string> remarks() const;  // notes and warnings of reading
   std::vector<std::string> bodies() const;
   std::vector<int> connection() const;
   int nx() const;
@@ -117,7 +118,8 @@ class KANEC_API Scene {
   std::string derive(const std::string& format = "text") const;
   // Throws InputError for what cannot be emitted.
   std::vector<File> generate(const Emission& emission = {}) const;
-  // From the cache where it was compiled before, with the scene's values of parameters and inputs. Throws InputError, BuildError, LoadError.
+  // From the cache where it was compiled before, with the scene's values of parameters and inputs. Throws InputError,
+  // BuildError, LoadError.
   Model compile(const Emission& emission = {}, const Compilation& compilation = {}) const;
   // scalar: "double" or "float"; lanes: 0 for as many as the processor computes with at once.
   Batch compile_batch(const Emission& emission = {}, const Compilation& compilation = {}, int threads = 0,

@@ -21,14 +21,14 @@ using List = std::vector<Value>;
 
 class KANEC_API Value {
  public:
-  Value(bool value) : value_(value) {}                                   // NOLINT: all of these are Values
-  Value(int value) : value_(std::int64_t{value}) {}                      // NOLINT
-  Value(std::int64_t value) : value_(value) {}                           // NOLINT
-  Value(double value) : value_(value) {}                                 // NOLINT
-  Value(const char* value) : value_(std::string(value)) {}               // NOLINT
-  Value(std::string value) : value_(std::move(value)) {}                 // NOLINT
-  Value(List value) : value_(std::move(value)) {}                        // NOLINT
-  Value(Table value) : value_(std::move(value)) {}                       // NOLINT
+  Value(bool value) : value_(value) {}                      // NOLINT: all of these are Values
+  Value(int value) : value_(std::int64_t{value}) {}         // NOLINT
+  Value(std::int64_t value) : value_(value) {}              // NOLINT
+  Value(double value) : value_(value) {}                    // NOLINT
+  Value(const char* value) : value_(std::string(value)) {}  // NOLINT
+  Value(std::string value) : value_(std::move(value)) {}    // NOLINT
+  Value(List value) : value_(std::move(value)) {}           // NOLINT
+  Value(Table value) : value_(std::move(value)) {}          // NOLINT
   Value(const std::vector<double>& values) : value_(List(values.begin(), values.end())) {}  // NOLINT
 
   using Kind = std::variant<bool, std::int64_t, double, std::string, List, Table>;

@@ -34,7 +34,8 @@ std::string rounding_text(const Rounding& r) {
 
 TextRow row(const HardCase& hard, const Outcome& one) {
   const std::string length = fmt::format("{} s", shown(one.options.duration));
-  if (!one.failure.empty()) return {fit::line(hard.name), method_text(one.options), length, "", "", "", "", kept_text(one)};
+  if (!one.failure.empty())
+    return {fit::line(hard.name), method_text(one.options), length, "", "", "", "", kept_text(one)};
   return {fit::line(hard.name),
           method_text(one.options),
           length,

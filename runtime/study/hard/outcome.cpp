@@ -70,8 +70,7 @@ double of_momentum(const HardCase& hard, const Summary& summary) {
   return summary.linear_momentum->worst.value / std::sqrt(2 * mass * kinetic);
 }
 
-std::vector<Deviation> physical(const HardCase& hard, const Summary& summary, const Drift& drift,
-                                double duration) {
+std::vector<Deviation> physical(const HardCase& hard, const Summary& summary, const Drift& drift, double duration) {
   std::vector<Deviation> list;
   if (summary.energy) {
     const double scale = summary.energy->worst.scale;

@@ -118,8 +118,9 @@ std::string overview(const std::vector<SceneErrors>& scenes) {
       const WayErrors& kept = function.ways.front();
       if (function.function != "accelerations") continue;
       text += markdown_row({scene.model, fmt::format("{:.2g}", scene.condition), std::to_string(kept.cost.operations()),
-                            ulps_text(kept.in_double.median), ulps_text(kept.in_double.largest), ulps_text(kept.in_float.median),
-                            ulps_text(function.generic.median), ulps_text(function.generic.largest), kept.description});
+                            ulps_text(kept.in_double.median), ulps_text(kept.in_double.largest),
+                            ulps_text(kept.in_float.median), ulps_text(function.generic.median),
+                            ulps_text(function.generic.largest), kept.description});
     }
   return text;
 }

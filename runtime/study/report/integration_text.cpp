@@ -19,8 +19,8 @@ namespace {
 
 // In the order of run_row(); the last ones stand there only where a run has them.
 const TextRow run_headings = {"",          "method", "setting",    "wall",     "steps",    "evaluations",
-                          "Jacobians", "error",  "at the end", "position", "attitude", "speed",
-                          "spin",      "energy", "momentum",   "|eps|-1"};
+                              "Jacobians", "error",  "at the end", "position", "attitude", "speed",
+                              "spin",      "energy", "momentum",   "|eps|-1"};
 const TextRow units = {"", "", "", "", "", "", "", "", "", "[m]", "[rad]", "[m/s]", "[rad/s]", "", "", ""};
 
 std::string shown(double value) { return fmt::format("{:.1e}", value); }

@@ -15,11 +15,11 @@ namespace kanec {
 
 struct Trial {
   integrate::Options options;
-  std::string failure;         // empty: it went through
-  bool out_of_time = false;    // why it failed
-  Summary summary;  // of one that went through
-  double wall_seconds = 0.0;   // the least of its runs; of a failed one, until it failed
-  std::vector<Bodies> rows;    // of one that went through
+  std::string failure;        // empty: it went through
+  bool out_of_time = false;   // why it failed
+  Summary summary;            // of one that went through
+  double wall_seconds = 0.0;  // the least of its runs; of a failed one, until it failed
+  std::vector<Bodies> rows;   // of one that went through
 
   bool ok() const { return failure.empty(); }
 };
