@@ -18,6 +18,16 @@ if(KANEC_FUZZ)
   target_compile_options(kanec_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# Compiles the sources as few, of at most `most` each and as many in each.
+function(kanec_unity name most)
+  if(KANEC_UNITY)
+    list(LENGTH ARGN count)
+    math(EXPR batches "(${count} + ${most} - 1) / ${most}")
+    math(EXPR batch_size "(${count} + ${batches} - 1) / ${batches}")
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch_size})
+  endif()
+endfunction()
+
 # kanec_library(NAME SOURCES a.cpp b.cpp LINK other targets [PRECOMPILE heavy headers] [ALONE] [COLD]): the link line is the
 # whole permission of a folder. Sources still include what they use; that several are compiled as one (KANEC_UNITY) and
 # precompiled headers only save time. Names in a folder's unnamed namespaces differ for that. ALONE: one by one, where a
@@ -25,8 +35,8 @@ endif()
 function(kanec_library name)
   cmake_parse_arguments(ARG "ALONE;COLD" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
-  if(KANEC_UNITY AND NOT ARG_ALONE)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  if(NOT ARG_ALONE)
+    kanec_unity(${name} 12 ${ARG_SOURCES})
   endif()
   target_link_libraries(${name} PUBLIC kanec_flags ${ARG_LINK})
   if(ARG_COLD)
@@ -45,10 +55,10 @@ function(kanec_test_flags name)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # as the shared headers, in programs as well
 endfunction()
 
-# kanec_test(NAME SOURCES ... LINK ... [OWN_FLAGS]): one GoogleTest program; each test is known to ctest as
+# kanec_test(NAME SOURCES ... LINK ... [ALONE] [OWN_FLAGS]): one GoogleTest program; each test is known to ctest as
 # NAME.Suite.test. OWN_FLAGS: compiled with others than the shared headers.
 function(kanec_test name)
-  cmake_parse_arguments(ARG "OWN_FLAGS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE;OWN_FLAGS" "" "SOURCES;LINK" ${ARGN})
   if(NOT TARGET kanec_test_headers)
     file(WRITE ${PROJECT_BINARY_DIR}/tests/headers.cpp "// Nothing but the headers that are precompiled.\n")
     add_library(kanec_test_headers STATIC ${PROJECT_BINARY_DIR}/tests/headers.cpp)
@@ -59,6 +69,9 @@ function(kanec_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   kanec_test_flags(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  if(NOT ARG_ALONE)
+    kanec_unity(${name} 8 ${ARG_SOURCES})
+  endif()
   if(NOT ARG_OWN_FLAGS)
     target_precompile_headers(${name} REUSE_FROM kanec_test_headers)
   endif()

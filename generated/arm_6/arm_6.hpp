@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_6: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 953722fbd6d28125 of arm_6/scene.toml; the usual functions
+// model 088a79c4f80ff1e9 of arm_6/scene.toml; the usual functions
 // bodies and their joints:
 //   1 waist on the inertial frame: revolute
 //   2 upper_arm on 1: revolute
@@ -125,7 +125,7 @@ inline constexpr int nx = 6;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 6;
-inline constexpr char model_hash[] = "953722fbd6d28125";
+inline constexpr char model_hash[] = "088a79c4f80ff1e9";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

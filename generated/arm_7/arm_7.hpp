@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // arm_7: equations of motion of 7 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a59b4aec4d9d94ac of arm_7/scene.toml; the usual functions
+// model f248bf0ca46b50f6 of arm_7/scene.toml; the usual functions
 // bodies and their joints:
 //   1 link_1 on the inertial frame: revolute
 //   2 link_2 on 1: revolute
@@ -125,7 +125,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 7;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 7;
-inline constexpr char model_hash[] = "a59b4aec4d9d94ac";
+inline constexpr char model_hash[] = "f248bf0ca46b50f6";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

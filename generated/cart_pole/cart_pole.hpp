@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cart_pole: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a83cb6f9d9a629b9 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
+// model 63f7b9d1d634c459 of cart_pole/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix state_matrix input_matrix tip_position
 // bodies and their joints:
 //   1 cart on the inertial frame: prismatic
@@ -41,7 +41,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "a83cb6f9d9a629b9";
+inline constexpr char model_hash[] = "63f7b9d1d634c459";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

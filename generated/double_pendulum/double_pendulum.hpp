@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // double_pendulum: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model d2d12e6c29c1c563 of double_pendulum/scene.toml; the usual functions
+// model c86d6c4969c1f0dd of double_pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 upper on the inertial frame: revolute
 //   2 lower on 1: revolute
@@ -119,7 +119,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "d2d12e6c29c1c563";
+inline constexpr char model_hash[] = "c86d6c4969c1f0dd";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

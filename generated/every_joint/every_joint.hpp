@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // every_joint: equations of motion of 13 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model bbe1c783752be4a3 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 2397d9dbedfd67f1 of every_joint/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual forcing mass_matrix partial_velocities partial_velocity_rates partial_angular_velocities
 // partial_angular_velocity_rates load_powers driving_loads reactions probe_position probe_velocity probe_acceleration
 // probe_jacobian kinematics+accelerations
@@ -153,7 +153,7 @@ inline constexpr int nx = 32;
 inline constexpr int ny = 29;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "bbe1c783752be4a3";
+inline constexpr char model_hash[] = "2397d9dbedfd67f1";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // free_body: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 1187a864e3b20c02 of free_body/scene.toml; the usual functions
+// model d4edc8faacb9d23b of free_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 handle on the inertial frame: free
 //
@@ -36,7 +36,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "1187a864e3b20c02";
+inline constexpr char model_hash[] = "d4edc8faacb9d23b";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pendulum: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 6641f23f71447edf of pendulum/scene.toml; the usual functions
+// model a0435cc64bbf5963 of pendulum/scene.toml; the usual functions
 // bodies and their joints:
 //   1 rod on the inertial frame: revolute
 //
@@ -38,7 +38,7 @@ inline constexpr int nx = 1;
 inline constexpr int ny = 1;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "6641f23f71447edf";
+inline constexpr char model_hash[] = "a0435cc64bbf5963";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

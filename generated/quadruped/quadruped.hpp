@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // quadruped: equations of motion of 17 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 3bdf0b1731898dd2 of quadruped/scene.toml; the usual functions
+// model 6fa857b29f0000a5 of quadruped/scene.toml; the usual functions
 // bodies and their joints:
 //   1 trunk on the inertial frame: free
 //   2 fr_hip on 1: revolute
@@ -141,7 +141,7 @@ inline constexpr int nx = 19;
 inline constexpr int ny = 18;
 inline constexpr int n_parameters = 3;
 inline constexpr int n_inputs = 24;
-inline constexpr char model_hash[] = "3bdf0b1731898dd2";
+inline constexpr char model_hash[] = "6fa857b29f0000a5";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // satellite: equations of motion of 4 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 89c0f2d61de775e8 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
+// model 473964f5f3ee8920 of satellite/scene.toml; functions kinematics poses energy momentum power accelerations
 // residual mass_matrix kinematics+accelerations state_matrix input_matrix tip_position tip_acceleration
 // bodies and their joints:
 //   1 hub on the inertial frame: free
@@ -129,7 +129,7 @@ inline constexpr int nx = 10;
 inline constexpr int ny = 9;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 2;
-inline constexpr char model_hash[] = "89c0f2d61de775e8";
+inline constexpr char model_hash[] = "473964f5f3ee8920";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

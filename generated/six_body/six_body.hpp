@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 70efd80ebaa943c6 of six_body/scene.toml; the usual functions
+// model fd769df5120c306f of six_body/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -46,7 +46,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 1;
 inline constexpr int n_inputs = 1;
-inline constexpr char model_hash[] = "70efd80ebaa943c6";
+inline constexpr char model_hash[] = "fd769df5120c306f";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

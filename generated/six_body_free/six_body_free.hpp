@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // six_body_free: equations of motion of 6 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model fe1a1ad0874bd910 of six_body_free/scene.toml; the usual functions
+// model 73989370cdf3f233 of six_body_free/scene.toml; the usual functions
 // bodies and their joints:
 //   1 hub on the inertial frame: free
 //   2 boom on 1: free
@@ -45,7 +45,7 @@ inline constexpr int nx = 42;
 inline constexpr int ny = 36;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "fe1a1ad0874bd910";
+inline constexpr char model_hash[] = "73989370cdf3f233";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slider_crank: equations of motion of 3 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model a0c690e97a710537 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
+// model eee965b422e75ed3 of slider_crank/scene.toml; functions kinematics poses energy power accelerations residual
 // mass_matrix driving_loads load_powers reactions rod_end_position pin_position
 // bodies and their joints:
 //   1 crank on the inertial frame: revolute
@@ -45,7 +45,7 @@ inline constexpr int nx = 2;
 inline constexpr int ny = 2;
 inline constexpr int n_parameters = 4;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "a0c690e97a710537";
+inline constexpr char model_hash[] = "eee965b422e75ed3";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

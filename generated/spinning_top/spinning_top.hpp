@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spinning_top: equations of motion of 1 rigid body, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 0d5fd822db007ccd of spinning_top/scene.toml; the usual functions
+// model fe281d1d2f8b023d of spinning_top/scene.toml; the usual functions
 // bodies and their joints:
 //   1 top on the inertial frame: ball
 //
@@ -34,7 +34,7 @@ inline constexpr int nx = 4;
 inline constexpr int ny = 3;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "0d5fd822db007ccd";
+inline constexpr char model_hash[] = "fe281d1d2f8b023d";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spring_chain: equations of motion of 5 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 606844d3662dbd10 of spring_chain/scene.toml; the usual functions
+// model 81e2b93a5b6e3b52 of spring_chain/scene.toml; the usual functions
 // bodies and their joints:
 //   1 mass_1 on the inertial frame: prismatic
 //   2 mass_2 on 1: prismatic
@@ -42,7 +42,7 @@ inline constexpr int nx = 5;
 inline constexpr int ny = 5;
 inline constexpr int n_parameters = 2;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "606844d3662dbd10";
+inline constexpr char model_hash[] = "81e2b93a5b6e3b52";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // t_handle: equations of motion of 2 rigid bodies, made by kanec 0.1.0. Not to be edited by hand.
 //
-// model 1351c9d4448278d9 of t_handle/scene.toml; the usual functions
+// model d5254dd329c8a167 of t_handle/scene.toml; the usual functions
 // bodies and their joints:
 //   1 bar on the inertial frame: free
 //   2 stem on 1: weld
@@ -37,7 +37,7 @@ inline constexpr int nx = 7;
 inline constexpr int ny = 6;
 inline constexpr int n_parameters = 0;
 inline constexpr int n_inputs = 0;
-inline constexpr char model_hash[] = "1351c9d4448278d9";
+inline constexpr char model_hash[] = "d5254dd329c8a167";
 
 // Where each coordinate stands in x and each speed in y.
 namespace at {

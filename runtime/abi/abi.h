@@ -1,5 +1,6 @@
-/* What a compiled model and its callers agree on: kanec's own runtime, and any program that calls C (docs/embed_c.md).
-   Not needed with an emitted header. SPDX-License-Identifier: BSD-3-Clause */
+/* What a compiled model and its callers agree on: kanec's own runtime, and any program that calls C (docs/embed_c.md). Not
+   needed with an emitted header.
+   SPDX-License-Identifier: BSD-3-Clause */
 #ifndef KANEC_ABI_H
 #define KANEC_ABI_H
 
@@ -43,8 +44,8 @@ typedef struct kanec_attitude {
 
 /* Taylor series of the motion in one kind of scalar. Scalars stand in its own arrays; nothing is allocated. */
 typedef struct kanec_taylor {
-  int32_t scalar_size; /* sizeof(double), or of long double */
-  int32_t size;        /* nx + ny, or one more: the work of the loads, where the model has their power */
+  int32_t scalar_size;   /* sizeof(double), or of long double */
+  int32_t size;          /* nx + ny, or one more: the work of the loads, where the model has their power */
   int32_t highest_order;
   size_t prepared_size, work_size, alignment; /* bytes, of prepared parameters and of work */
   void (*prepare)(const double* parameters, void* prepared);
@@ -72,7 +73,7 @@ typedef struct kanec_model {
   const double* input_defaults;
   size_t prepared_size; /* bytes of the prepared parameters, at least 1; alignment of double */
   void (*prepare)(const double* parameters, void* prepared);
-  const kanec_function* functions;     /* (n_functions) */
+  const kanec_function* functions; /* (n_functions) */
   const char* const* coordinate_names; /* (nx): "theta_3" */
   const char* const* speed_names;      /* (ny): "thetadot_3" */
   int32_t n_attitudes;
@@ -99,7 +100,7 @@ typedef struct kanec_states {
   const void* prepared; /* what prepare() filled: one group a `lanes` states, or one for all */
   const void* t;        /* (number of states), or one for all; whatever the stride */
   const void *x, *y, *ydot;
-  const void* u;                                /* as x, or (n_inputs) for all */
+  const void* u;                                  /* as x, or (n_inputs) for all */
   int32_t one_parameters, one_time, one_inputs; /* not 0: for all states */
   void* scratch;                                /* scratch_size bytes; each thread its own */
 } kanec_states;
@@ -134,9 +135,9 @@ typedef struct kanec_batch {
   int32_t scalar_size;      /* sizeof(double) or sizeof(float) */
   size_t prepared_size;     /* bytes of a group of prepared parameters */
   size_t alignment;         /* of prepared parameters and scratch */
-  size_t scratch_size;      /* bytes, at least 1 */
-  /* Parameters of states begin .. end - 1 as x stands; begin a multiple of the lanes. A last group that is not full,
-     and so a single state, has its last state's in all further lanes. */
+  size_t scratch_size; /* bytes, at least 1 */
+  /* Parameters of states begin .. end - 1 as x stands; begin a multiple of the lanes. A last group that is not full, and
+     so a single state, has its last state's in all further lanes. */
   void (*prepare)(int64_t begin, int64_t end, int64_t stride, const void* parameters, void* prepared);
   const kanec_evaluate_batch* evaluate; /* (model->n_functions), in their order */
   const kanec_rk4* rk4; /* null where the model was emitted without kinematics+accelerations(+power), in this order */

@@ -11,9 +11,7 @@ namespace {
 
 constexpr std::int64_t piece_states = 256;  // what a thread takes at once: some ten microseconds
 
-std::span<const double> batch_list(const double* values, int count) {
-  return {values, static_cast<std::size_t>(count)};
-}
+std::span<const double> batch_list(const double* values, int count) { return {values, static_cast<std::size_t>(count)}; }
 
 void require_count(const char* what, std::size_t found, int wanted) {
   if (found != static_cast<std::size_t>(wanted))
@@ -90,8 +88,9 @@ std::optional<int> BatchSolver<Real>::find(std::string_view name) const {
 
 template <class Real>
 void BatchSolver<Real>::check(const BatchStates<Real>& states) const {
-  const bool fits = states.stride == 0 || states.stride == 1 || states.stride >= states.count ||
-                    (states.stride > 0 && states.stride % lanes() == 0);
+  const bool fits =
+      states.stride == 0 || states.stride == 1 || states.stride >= states.count ||
+      (states.stride > 0 && states.stride % lanes() == 0);
   if (states.count < 0 || !fits)
     throw InputError("a batch of " + std::to_string(states.count) + " states with a stride of " +
                      std::to_string(states.stride) + "; allowed: 0, 1, a multiple of the " + std::to_string(lanes()) +

@@ -10,14 +10,14 @@ std::span<const double> list(const double* values, int count) { return {values, 
 
 }  // namespace
 
-Solver::Solver(const kanec_model& model) : model_(&model), prepared_(model.prepared_size / sizeof(double) + 1) {
+Solver::Solver(const kanec_model& model)
+    : model_(&model), prepared_(model.prepared_size / sizeof(double) + 1) {
   set_parameters(list(model.parameter_defaults, model.n_parameters));
   set_inputs(list(model.input_defaults, model.n_inputs));
 }
 
 void Solver::set_parameters(std::span<const double> parameters) {
-  if (parameters.size() != static_cast<std::size_t>(model_->n_parameters))
-    throw InputError("wrong number of parameters");
+  if (parameters.size() != static_cast<std::size_t>(model_->n_parameters)) throw InputError("wrong number of parameters");
   parameters_.assign(parameters.begin(), parameters.end());
   model_->prepare(parameters_.data(), prepared_.data());
 }

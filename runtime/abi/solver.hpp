@@ -21,23 +21,23 @@ namespace kanec {
 //   accelerations          x y u      -> ẏ (ny)
 //   partial_velocities     x          -> v_{K,y} (N × 3 × ny)
 //   partial_velocity_rates x y        -> their time derivatives (N × 3 × ny)
-//   energy                 x y        -> kinetic, potential [J]: of gravity and of springs with constant stiffness and
-//   rest momentum               x y        -> linear (3) [kg m/s], angular about the inertial origin (3) [kg m²/s],
-//   inertial axes poses                  x          -> for each body R_K (3 × 3), p_K (3) power                  x y u
-//   -> power of all other applied loads [W]
+//   energy                 x y        -> kinetic, potential [J]: of gravity and of springs with constant stiffness and rest
+//   momentum               x y        -> linear (3) [kg m/s], angular about the inertial origin (3) [kg m²/s], inertial axes
+//   poses                  x          -> for each body R_K (3 × 3), p_K (3)
+//   power                  x y u      -> power of all other applied loads [W]
 // on request:
 //   partial_angular_velocities, partial_angular_velocity_rates -> ω_{K,y}, body axes, and its rates there (N × 3 × ny)
-//   load_powers            x y u      -> power of each load: Body::force and moment of bodies that have one, then the
-//   loads [W] driving_loads          x y ẏ u    -> loads along locked and prescribed coordinates, in the order of the
-//   state's events                 x y u      -> the expressions of the events, each zero where its event happens
+//   load_powers            x y u      -> power of each load: Body::force and moment of bodies that have one, then the loads [W]
+//   driving_loads          x y ẏ u    -> loads along locked and prescribed coordinates, in the order of the state's
+//   events                 x y u      -> the expressions of the events, each zero where its event happens
 //   reactions              x y ẏ u    -> for each body force, moment of L(K) on K about K's origin, K's axes (6)
-//   P_position, P_velocity, P_acceleration (x y ẏ u) -> of a named point P, inertial axes (3); P_jacobian ->
-//   ∂velocity/∂y (3 × ny) residual_x (ny × nx), residual_y, residual_ydot (ny × ny), accelerations_x (ny × nx),
-//   accelerations_y (ny × ny), accelerations_u (ny × inputs of the scene, read or not): derivatives of the emitted
-//   formulas kinematics_x (nx × nx), kinematics_y (nx × ny), power_x (1 × nx), power_y (1 × ny) residual_xi,
-//   accelerations_xi (ny × ny): by the tangent ξ: of a ball its rotation vector in body axes, else δx state_matrix (2ny
-//   × 2ny), input_matrix (2ny × inputs of the scene): of d/dt (δξ, δy) a_and_b                           -> results of
-//   a, then of b
+//   P_position, P_velocity, P_acceleration (x y ẏ u) -> of a named point P, inertial axes (3); P_jacobian -> ∂velocity/∂y (3 × ny)
+//   residual_x (ny × nx), residual_y, residual_ydot (ny × ny), accelerations_x (ny × nx), accelerations_y (ny × ny),
+//   accelerations_u (ny × inputs of the scene, read or not): derivatives of the emitted formulas
+//   kinematics_x (nx × nx), kinematics_y (nx × ny), power_x (1 × nx), power_y (1 × ny)
+//   residual_xi, accelerations_xi (ny × ny): by the tangent ξ: of a ball its rotation vector in body axes, else δx
+//   state_matrix (2ny × 2ny), input_matrix (2ny × inputs of the scene): of d/dt (δξ, δy)
+//   a_and_b                           -> results of a, then of b
 class Solver {
  public:
   // With the model's default parameters and inputs.

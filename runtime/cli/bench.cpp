@@ -38,7 +38,7 @@ float_lanes as many roundings) is not timed. Ratios are to emitted code. Operati
 
 Variants:)";
 
-struct BenchOptions {
+struct BenchArguments {
   std::vector<std::string> scenes;
   std::string connection;
   BuildOptions build;
@@ -53,7 +53,7 @@ struct BenchOptions {
 };
 
 // Of one scene those that it asks for, or the usual ones; of several, the accelerations.
-std::vector<std::string> functions(const BenchOptions& options, const std::vector<scene::Scene>& scenes) {
+std::vector<std::string> functions(const BenchArguments& options, const std::vector<scene::Scene>& scenes) {
   if (options.functions.empty() && scenes.size() > 1) return {"accelerations"};
   for (const scene::Scene& scene : scenes) Functions(scene).chosen(options.functions);  // refuses what is not there
   return options.functions;
@@ -91,7 +91,7 @@ std::string as_json(const std::vector<Contest>& list, const Conditions& conditio
 }
 
 // That writes the same report again, bar the times.
-std::string command_of(const BenchOptions& options) {
+std::string command_of(const BenchArguments& options) {
   std::string command = "kanec bench";
   for (const std::string& scene : options.scenes) command += " " + typed(scene);
   if (!options.connection.empty()) command += " --connection " + fit::shell(options.connection);
@@ -106,14 +106,14 @@ std::string command_of(const BenchOptions& options) {
   return options.svg.empty() ? command : command + " --svg " + fit::shell(options.svg);
 }
 
-std::string report_of(const std::vector<Contest>& list, const BenchOptions& options) {
+std::string report_of(const std::vector<Contest>& list, const BenchArguments& options) {
   const Conditions conditions{processor_name(), compiler_text(options.build)};
   if (options.json) return as_json(list, conditions);
   if (options.markdown) return page(list, conditions, command_of(options), options.svg);
   return as_text(list, conditions);
 }
 
-int bench(const BenchOptions& options) {
+int bench(const BenchArguments& options) {
   if (options.json && options.markdown) throw InputError("--json: found it beside --markdown; allowed: one of them");
   if (is_same_file(options.svg, options.output))
     throw InputError("--svg, --output: found the same file; allowed: a file each");

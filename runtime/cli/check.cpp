@@ -39,7 +39,7 @@ bounds: 200 ulps (roundings mostly cancel: below 20 over trees of 1 to 64 bodies
 and 1e-12 from the generic path (200 ulps are 4.4e-14, and the path has an error of its own); where A is so ill
 conditioned that the generic path loses 1e-13 and more in double, four times its loss. Exit status 1 beyond.)";
 
-struct CheckOptions {
+struct CheckArguments {
   SceneArgument scene;
   BuildOptions build;
   int states = 32;
@@ -92,7 +92,7 @@ std::string verdict(const std::vector<Agreement>& list, const Bounds& bounds) {
                      brief(bounds.generic));
 }
 
-std::vector<Agreement> compare(const scene::Scene& scene, const CheckOptions& options, const CompiledModel& model) {
+std::vector<Agreement> compare(const scene::Scene& scene, const CheckArguments& options, const CompiledModel& model) {
   const std::vector<State> states = samples(scene, options.states, options.seed);
   const Interrupts interrupts;
   ProgressBar bar(scene.name);
@@ -108,7 +108,7 @@ struct Found {
   Json json;
 };
 
-Found found(const scene::Scene& scene, const CheckOptions& options) {
+Found found(const scene::Scene& scene, const CheckArguments& options) {
   const Functions functions(scene);
   const CompiledModel model =
       build(scene, options.all ? functions.names() : functions.chosen(options.functions), options.build);
@@ -127,7 +127,7 @@ Found found(const scene::Scene& scene, const CheckOptions& options) {
            {"passed", failure.empty()}}};
 }
 
-int check_all(const std::vector<scene::Scene>& scenes, const CheckOptions& options) {
+int check_all(const std::vector<scene::Scene>& scenes, const CheckArguments& options) {
   int status = success;
   Json all = Json::array();
   for (const scene::Scene& scene : scenes) {
@@ -143,7 +143,7 @@ int check_all(const std::vector<scene::Scene>& scenes, const CheckOptions& optio
   return status;
 }
 
-int check(const CheckOptions& options) {
+int check(const CheckArguments& options) {
   const bool is_path = !options.scene.path.empty() && options.scene.connection.empty();
   return check_all(is_path ? load_all({options.scene.path}, "") : std::vector{load(options.scene)}, options);
 }

@@ -26,7 +26,7 @@ R1^T is R_1 transposed, a~ the skew matrix of a.
 
 prints instead what was left out of the scene before its equations, and the operations that each reduction saves.)";
 
-struct DeriveOptions {
+struct DeriveArguments {
   SceneArgument scene;
   std::string format = "text";
   bool json = false;
@@ -40,7 +40,7 @@ std::string reduction_document(const scene::Scene& scene, const std::vector<std:
   return json ? json_text(reductions_json(scene.name, list)) : reductions_text(scene.name, list);
 }
 
-int derive(const DeriveOptions& options) {
+int derive(const DeriveArguments& options) {
   const scene::Scene scene = load(options.scene);
   const std::string format = options.json ? "json" : options.format;
   if (!options.functions.empty() && !options.reduction) throw InputError("--functions goes with --reduction");

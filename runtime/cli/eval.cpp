@@ -53,7 +53,7 @@ CSV has a header line of names, in any order (t, coordinates, speeds, their rate
 theta_<body>); JSON lines have an object as above a line; NumPy's .npy has x, then y and ydot where the function reads
 them, or these behind t, a row a state, float64 or float32.)";
 
-struct EvalOptions {
+struct EvalArguments {
   SceneArgument scene;
   BuildOptions build;
   std::vector<std::string> settings;
@@ -71,7 +71,7 @@ std::vector<double> rounded(const std::vector<Precise>& values) {
   return result;
 }
 
-std::vector<double> evaluate(const EvalOptions& options, const scene::Scene& scene, const State& state) {
+std::vector<double> evaluate(const EvalArguments& options, const scene::Scene& scene, const State& state) {
   const std::string name = emitted_name(options.function);
   if (options.path == "generic") {
     const auto values = generic_path<long double>(scene, parts_of(options.function), state);
@@ -81,7 +81,7 @@ std::vector<double> evaluate(const EvalOptions& options, const scene::Scene& sce
   return emitted(build(scene, {options.function}, options.build).library.abi(), scene, name, state);
 }
 
-std::function<const std::vector<double>&(const State&)> evaluation(const EvalOptions& options,
+std::function<const std::vector<double>&(const State&)> evaluation(const EvalArguments& options,
                                                                    const scene::Scene& scene,
                                                                    const std::optional<CompiledModel>& model) {
   if (model) return compiled_function(model->library.abi(), scene, emitted_name(options.function));
@@ -91,7 +91,7 @@ std::function<const std::vector<double>&(const State&)> evaluation(const EvalOpt
   };
 }
 
-int evaluate_states(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
+int evaluate_states(const EvalArguments& options, const scene::Scene& scene, const Needs& needs) {
   if (!options.input.empty() || options.show_template || options.json)
     throw InputError(
         "--states: found it beside --input, --template or --json; allowed: --states FILE with --format and -o");
@@ -126,7 +126,7 @@ void overrule(scene::Scene scene, const std::vector<std::string>& settings, Stat
   state.inputs = default_inputs(set);
 }
 
-State input_state(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
+State input_state(const EvalArguments& options, const scene::Scene& scene, const Needs& needs) {
   if (options.input.empty())
     throw InputError(
         "--input is not given; allowed: a file, or - for standard input (--template prints one to begin with)");
@@ -142,7 +142,7 @@ void keep_what_is_read(State& state, const Needs& needs) {
   if (!needs.ydot) state.ydot.clear();
 }
 
-int print_template(const EvalOptions& options, const scene::Scene& scene, const Needs& needs) {
+int print_template(const EvalArguments& options, const scene::Scene& scene, const Needs& needs) {
   State state = initial_state(with_settings(scene, options.settings));
   keep_what_is_read(state, needs);
   print_json(state_json(scene, state));
@@ -151,7 +151,7 @@ int print_template(const EvalOptions& options, const scene::Scene& scene, const 
 
 using Layouts = std::vector<Layout>;
 
-std::string text_of(const EvalOptions& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+std::string text_of(const EvalArguments& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
                     std::span<const double> values) {
   std::string text = fmt::format("{} of {}, {}\n\n", options.function, scene.name, options.path);
   if (reads_time(scene)) text += fmt::format("t [s] = {:.16e}\n\n", state.t);
@@ -169,7 +169,7 @@ std::string text_of(const EvalOptions& options, const scene::Scene& scene, const
   return text;
 }
 
-Json eval_json(const EvalOptions& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
+Json eval_json(const EvalArguments& options, const scene::Scene& scene, const State& state, const Layouts& layouts,
                std::span<const double> values) {
   Json json = {{"model", scene.name}, {"function", options.function}, {"path", options.path}};
   json["state"] = state_json(scene, state);
@@ -191,8 +191,8 @@ Layouts layouts_of(const scene::Scene& scene, const std::string& function, std::
   return layouts;
 }
 
-int eval(const EvalOptions& given) {
-  EvalOptions options = given;
+int eval(const EvalArguments& given) {
+  EvalArguments options = given;
   if (options.function.empty() && !options.scene.connection.empty()) std::swap(options.function, options.scene.path);
   const scene::Scene scene = load(options.scene);
   const Functions functions(scene);

@@ -25,7 +25,7 @@ Each with its shape (rows x columns; nothing behind a list), the units of its nu
 what it is. Those with a star are emitted where none are named; others by --functions a,b. Several joined by + are one:
 --functions kinematics+accelerations. The time is an argument where the scene depends on it, inputs where it has any.)";
 
-struct FunctionsOptions {
+struct FunctionsArguments {
   SceneArgument scene;
   bool json = false;
 };
@@ -86,7 +86,7 @@ Json functions_json(const scene::Scene& scene, const std::vector<Available>& all
   return {{"model", scene.name}, {"functions", std::move(list)}};
 }
 
-int functions(const FunctionsOptions& options) {
+int functions(const FunctionsArguments& options) {
   const scene::Scene scene = load(options.scene);
   const Functions known(scene);
   if (options.json)

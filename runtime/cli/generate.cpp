@@ -46,7 +46,7 @@ KANEC_REAL defined as float: docs/embed_c.md. With --abi the two files that `kan
 written as well; with --taylor <name>_taylor.hpp, which has the Taylor series of the motion: what --integrator taylor
 steps by. --dump prints one stage of the pipeline instead: scene, equations, program, ledger, header, abi.)";
 
-struct GenerateOptions {
+struct GenerateArguments {
   SceneArgument scene;
   std::vector<std::string> functions;
   std::optional<symbolic::Algorithm> algorithm;
@@ -73,7 +73,7 @@ struct Product {
   }
 };
 
-Products products_of(const GenerateOptions& options) {
+Products products_of(const GenerateArguments& options) {
   const Products products{options.language, options.abi, options.taylor};
   check_products(products);
   if (options.language == emit::Language::c && !options.stage.empty())
@@ -108,7 +108,7 @@ class NewFolder {
   fs::path path_;
 };
 
-std::deque<Product> open_products(const GenerateOptions& options, const Products& wanted, const std::string& name) {
+std::deque<Product> open_products(const GenerateArguments& options, const Products& wanted, const std::string& name) {
   std::deque<Product> products;
   if (options.json && is_standard_output(options.output))
     throw InputError("--json: found it beside --output " + options.output +
@@ -179,7 +179,7 @@ Json report_json(const scene::Scene& scene, const Generated& generated, const st
           {"files", std::move(files)}};
 }
 
-int dump_stage(const GenerateOptions& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
+int dump_stage(const GenerateArguments& options, const scene::Scene& scene, const std::vector<std::string>& functions) {
   AtomicFile file(options.output.empty() ? "-" : options.output);
   file.write(dump(scene, functions, options.stage));
   file.commit();
@@ -188,12 +188,12 @@ int dump_stage(const GenerateOptions& options, const scene::Scene& scene, const 
 
 void remark_note(const std::string& note) { remark("note: " + note); }
 
-std::vector<std::string> functions_of(const GenerateOptions& options, const scene::Scene& scene) {
+std::vector<std::string> functions_of(const GenerateArguments& options, const scene::Scene& scene) {
   std::vector<std::string> chosen = Functions(scene).chosen(options.functions);
   return options.taylor ? functions_with_rates(scene, std::move(chosen), remark_note) : chosen;
 }
 
-int generate_files(const GenerateOptions& options) {
+int generate_files(const GenerateArguments& options) {
   const Products wanted = products_of(options);
   const scene::Scene scene = load(options.scene);
   const std::vector<std::string> functions = functions_of(options, scene);

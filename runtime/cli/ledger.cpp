@@ -24,13 +24,13 @@ A scene is a scene.toml or a folder that holds one; a folder of such folders mea
 those under models/. Counted are the functions that a scene asks for, or the usual ones; with --all every function that
 it can have, derivatives included. Nothing is compiled. In the JSON a list of scenes.)";
 
-struct LedgerOptions {
+struct LedgerArguments {
   std::vector<std::string> scenes;
   bool markdown = false, json = false, all = false;
   std::string output = "-";
 };
 
-std::vector<SceneCost> costs_of(const LedgerOptions& options) {
+std::vector<SceneCost> costs_of(const LedgerArguments& options) {
   std::vector<std::string> files;
   for (const std::string& word : options.scenes.empty() ? std::vector<std::string>{"models"} : options.scenes)
     for (std::string& file : scene_files(word)) files.push_back(std::move(file));
@@ -45,13 +45,13 @@ std::vector<SceneCost> costs_of(const LedgerOptions& options) {
   return costs;
 }
 
-std::string command_of(const LedgerOptions& options) {
+std::string command_of(const LedgerArguments& options) {
   std::string command = "kanec ledger";
   for (const std::string& scene : options.scenes) command += " " + typed(scene);
   return command + (options.all ? " --all" : "") + " --markdown";
 }
 
-int ledger(const LedgerOptions& options) {
+int ledger(const LedgerArguments& options) {
   if (options.markdown && options.json) throw InputError("--json: found it beside --markdown; allowed: one of them");
   AtomicFile file(options.output);
   const std::vector<SceneCost> costs = costs_of(options);

@@ -158,7 +158,7 @@ int report_hard(const ReportOptions& options) {
   return check_failed;
 }
 
-int report(const ReportOptions& given) {
+int report_all(const ReportOptions& given) {
   ReportOptions options = given;
   if (options.hard) return report_hard(options);
   if (options.brief) refuse("--short: found it without --hard", "with --hard");
@@ -241,7 +241,7 @@ void add_integration(CLI::App& command, ReportOptions& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Action& action) {
-  const auto [command, options] = add_command(app, action, "report", "speed against error", report_footer, &report);
+  const auto [command, options] = add_command(app, action, "report", "speed against error", report_footer, &report_all);
   command->add_option("SCENE", options->scenes, "scene.toml files, folders that hold one, or folders of these")
       ->option_text("...");
   command->add_option("--connection", options->connection, "instead of a scene: the all-symbolic system of this tree")

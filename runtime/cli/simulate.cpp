@@ -64,7 +64,7 @@ With rk4 the scenarios run side by side in the processor's vector registers, whi
 integrator one in each thread. Results do not depend on the number of threads. --csv then has a line a scenario, its end
 or with --keep-every its rows; a scenario that stops early has its last finite row there, and the summary tells of it.)";
 
-struct SimulateOptions {
+struct SimulateArguments {
   SceneArgument scene;
   BuildOptions build;
   std::vector<std::string> settings;
@@ -77,7 +77,7 @@ struct SimulateOptions {
 };
 
 // The scene's settings, overruled by the command line, each judged where it stands.
-scene::Simulation simulation_of(const scene::Scene& scene, const SimulateOptions& options) {
+scene::Simulation simulation_of(const scene::Scene& scene, const SimulateArguments& options) {
   scene::Simulation run = scene.simulation;
   std::map<std::string, std::string> given;  // the option in place of a key
   const auto overrule = [&](const char* key, const char* name, const auto& option, auto& value) {
@@ -101,12 +101,12 @@ scene::Simulation simulation_of(const scene::Scene& scene, const SimulateOptions
   return run;
 }
 
-bool takes_standard_output(const SimulateOptions& options) {
+bool takes_standard_output(const SimulateArguments& options) {
   return is_standard_output(options.csv) || is_standard_output(options.plot) ||
          is_standard_output(options.final_state) || is_standard_output(options.ensemble.drawn);
 }
 
-void refuse_same_file(const SimulateOptions& options) {
+void refuse_same_file(const SimulateArguments& options) {
   if (options.json && takes_standard_output(options))
     throw InputError("--json: found it beside a file on standard output; allowed: one of them");
   const std::string read = options.ensemble.from == "-" ? "" : options.ensemble.from;  // standard input is no file
@@ -126,7 +126,7 @@ void refuse_same_file(const SimulateOptions& options) {
 class Outputs {
  public:
   // rows_before: of the trajectory that the run goes on from.
-  Outputs(const SimulateOptions& options, const scene::Scene& scene, const std::string& rows_before) {
+  Outputs(const SimulateArguments& options, const scene::Scene& scene, const std::string& rows_before) {
     refuse_same_file(options);
     csv_path_ = options.csv;
     const StateNames names = trajectory_names(scene);
@@ -217,7 +217,7 @@ State final_state(const scene::Scene& scene, const Summary& summary) {
 }
 
 // An input that events set has a column, where its value is from.
-void refuse_set_columns(const SimulateOptions& options, const scene::Scene& scene) {
+void refuse_set_columns(const SimulateArguments& options, const scene::Scene& scene) {
   for (const std::string& input : trajectory_names(scene).inputs)
     for (const std::string& setting : options.settings)
       if (setting.substr(0, setting.find('=')) == input)
@@ -226,7 +226,7 @@ void refuse_set_columns(const SimulateOptions& options, const scene::Scene& scen
 }
 
 // The scene's own start, or where a trajectory ends.
-Resumed start_of(const SimulateOptions& options, const scene::Scene& scene, integrate::Options& run) {
+Resumed start_of(const SimulateArguments& options, const scene::Scene& scene, integrate::Options& run) {
   if (options.resume.empty()) return {initial_state(scene), 0.0, {}};
   refuse_set_columns(options, scene);
   Resumed resumed = read_trajectory(read_file(options.resume, most_of_a_table), options.resume, scene);
@@ -238,14 +238,14 @@ Resumed start_of(const SimulateOptions& options, const scene::Scene& scene, inte
   return resumed;
 }
 
-[[noreturn]] void tell_failure(const IntegrationError& error, const SimulateOptions& options, const scene::Scene& scene,
-                               Outputs& outputs) {
+[[noreturn]] void tell_failure(const IntegrationError& error, const SimulateArguments& options,
+                               const scene::Scene& scene, Outputs& outputs) {
   std::string message = error.what() + body_named(scene, error.what());
   if (outputs.keep_rows()) message += "; the rows until there are in " + options.csv;
   throw IntegrationError(message);
 }
 
-[[noreturn]] void tell_interruption(const SimulateOptions& options, Outputs& outputs) {
+[[noreturn]] void tell_interruption(const SimulateArguments& options, Outputs& outputs) {
   const std::optional<double> end = outputs.keep_rows();
   if (!end) throw Interrupted();
   const std::string rows = "; the rows until " + shortest(*end) + " s are ";
@@ -253,7 +253,7 @@ Resumed start_of(const SimulateOptions& options, const scene::Scene& scene, inte
   throw Interrupted(rows + "in " + options.csv + ", and --resume " + fit::shell(options.csv) + " goes on from there");
 }
 
-int simulate_many(const SimulateOptions& options, const scene::Scene& scene, const integrate::Options& run) {
+int simulate_many(const SimulateArguments& options, const scene::Scene& scene, const integrate::Options& run) {
   refuse_same_file(options);
   if (!options.plot.empty() || !options.final_state.empty())
     throw InputError("--plot, --final: found beside --ensemble; allowed: --csv, which has every scenario's end");
@@ -263,7 +263,7 @@ int simulate_many(const SimulateOptions& options, const scene::Scene& scene, con
   return simulate_ensemble({scene, run, options.ensemble, options.build, options.csv, options.json});
 }
 
-int simulate_scene(const SimulateOptions& options) {
+int simulate_scene(const SimulateArguments& options) {
   const scene::Scene scene = load(options.scene);
   const scene::Scene set = with_settings(scene, options.settings);
   integrate::Options run = integration_options(set, simulation_of(scene, options));
@@ -296,7 +296,7 @@ int simulate_scene(const SimulateOptions& options) {
   return 0;
 }
 
-void add_files(CLI::App& command, SimulateOptions& options) {
+void add_files(CLI::App& command, SimulateArguments& options) {
   const std::string group = "Files";
   command.add_option("--csv", options.csv, "the trajectory")->option_text("FILE")->group(group);
   command.add_option("--plot", options.plot, "coordinates, speeds, energies, drawn by gnuplot")

@@ -38,7 +38,9 @@ MatrixX<Real> mass_matrix(const Motion<Real>& motion) {
     const Body<Real>& body = motion.system().body(k);
     const Columns3<Real> v_y = motion.mass_centre(k).now.leftCols(ny);
     const Columns3<Real> omega_y = motion[k].omega_y.now.leftCols(ny);
-    A += body.m * v_y.transpose() * v_y + omega_y.transpose() * body.I * omega_y;
+    A += body.m * v_y.transpose().lazyProduct(v_y);
+    const Columns3<Real> I_omega_y = body.I * omega_y;
+    A += omega_y.transpose().lazyProduct(I_omega_y);
   }
   return A;
 }

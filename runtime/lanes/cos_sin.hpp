@@ -35,21 +35,21 @@ template <class Vector, class Bits>
   const Vector e = (reduced - r) - n * 7.443547480484391e-13 - n * 2.232414100745812e-25;
   const Vector z = r * r;
   const Vector sine =
-      r +
-      (e + r * z *
-               (-0.16666666666666666 +
-                z * (0.008333333333328844 +
-                     z * (-0.0001984126983405406 +
-                          z * (2.755731495933727e-06 + z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
+      r + (e + r * z *
+                   (-0.16666666666666666 +
+                    z * (0.008333333333328844 +
+                         z * (-0.0001984126983405406 +
+                              z * (2.755731495933727e-06 +
+                                   z * (-2.5050933585480144e-08 + z * 1.5905963454567042e-10))))));
   const Vector high = 1.0 - 0.5 * z;
   const Vector cosine =
-      high +
-      ((1.0 - high - 0.5 * z) - r * e +
-       z * z *
-           (0.041666666666666664 +
-            z * (-0.001388888888888389 +
-                 z * (2.480158729492235e-05 +
-                      z * (-2.7557315779745287e-07 + z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
+      high + ((1.0 - high - 0.5 * z) - r * e +
+              z * z *
+                  (0.041666666666666664 +
+                   z * (-0.001388888888888389 +
+                        z * (2.480158729492235e-05 +
+                             z * (-2.7557315779745287e-07 +
+                                  z * (2.087590183293117e-09 + z * -1.1368241888144376e-11))))));
   Bits quadrant, bits_c, bits_s;
   __builtin_memcpy(&quadrant, &shifted, sizeof quadrant);
   __builtin_memcpy(&bits_c, &cosine, sizeof bits_c);
@@ -71,8 +71,8 @@ inline void cos_sin(const double* a, int n, double* c, double* s) noexcept {
   for (int i = 0; i < n; i += 4) {
     const int first = n < 4 ? 0 : i < n - 4 ? i : n - 4, last = n - 1;
     const double* const from = a + first;
-    const Vector group =
-        n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]} : Vector{from[0], from[1], from[2], from[3]};
+    const Vector group = n < 4 ? Vector{a[0], a[last < 1 ? last : 1], a[last], a[last]}
+                               : Vector{from[0], from[1], from[2], from[3]};
     Vector cosines, sines;
     cos_sin_of<Vector, Bits>(group, cosines, sines);
     for (int j = 0; j < 4 && j < n; ++j) {

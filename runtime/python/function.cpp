@@ -16,7 +16,8 @@ namespace {
 
 // By hand, not by pybind11, whose way to a function costs more than most evaluations.
 struct FunctionObject {
-  PyObject_HEAD vectorcallfunc vectorcall;
+  PyObject ob_base;  // what PyObject_HEAD is
+  vectorcallfunc vectorcall;
   Callable* callable;
 };
 

@@ -37,7 +37,7 @@ std::string request_of(const std::string& word, const Names& functions) {
   return "";
 }
 
-std::vector<long> shape_of(const Function& function, const std::vector<Shape>& results) {
+std::vector<long> result_shape(const Function& function, const std::vector<Shape>& results) {
   if (results.size() == 1 && results[0].parts.size() == 1 && results[0].parts[0].shape.size() == 2)
     return {results[0].parts[0].shape.begin(), results[0].parts[0].shape.end()};
   return {function.size};
@@ -58,7 +58,7 @@ std::vector<Callable> callables(const Scene& scene, const Model& model,
   for (const Function& function : model.functions()) {
     const std::string request = request_of(function.name, names);
     std::vector<Shape> results = request.empty() ? std::vector<Shape>{} : scene.results(request);
-    std::vector<long> shape = shape_of(function, results);
+    std::vector<long> shape = result_shape(function, results);
     list.push_back({shared, function, request.empty() ? function.name : request, std::move(results), std::move(shape),
                     takes_long(model, function)});
   }
@@ -90,7 +90,7 @@ py::dict functions_of(const py::object& self) {
   throw py::attribute_error("model " + self.model.name() + " has no function " + name + std::string(py::str(near)));
 }
 
-std::string representation(const CompiledModel& self) {
+std::string model_representation(const CompiledModel& self) {
   std::string functions;
   for (const Function& function : self.model.functions()) functions += (functions.empty() ? "" : ", ") + function.name;
   return "<kanec.Model " + self.model.name() + ", nx " + std::to_string(self.model.nx()) + ", ny " +
@@ -158,7 +158,7 @@ lists them, and help(kanec.Function) says how they are called. May be used from 
       .def("__getitem__", function_of, py::arg("request"),
            "The function of that name, with + or _and_ between the parts of a combined one. Raises InputError.")
       .def("__getattr__", refuse_attribute)
-      .def("__repr__", representation);
+      .def("__repr__", model_representation);
 }
 
 }  // namespace kanec::python

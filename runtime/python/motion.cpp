@@ -48,7 +48,7 @@ auto column(Choose choose, int Motion::*width = nullptr) {
   };
 }
 
-std::string representation(const NamedMotion& self) {
+std::string motion_representation(const NamedMotion& self) {
   const Motion& motion = self.motion;
   return "<kanec.Motion of " + self.model.name() + ": " + std::to_string(motion.rows()) + " rows, " +
          std::to_string(motion.steps) + " steps" + (motion.stopped ? ", stopped by an event>" : ">");
@@ -145,7 +145,7 @@ Its arrays are float64 and are not copied.)")
                              "Worst change of energy less work, relative to the energies' own size; None if not known.")
       .def_property_readonly("norm_error", of(&Motion::norm_error), "Worst | |eps| - 1 | before it was projected.")
       .def("__len__", [](const NamedMotion& self) { return self.motion.rows(); })
-      .def("__repr__", representation);
+      .def("__repr__", motion_representation);
 }
 
 }  // namespace kanec::python

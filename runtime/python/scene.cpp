@@ -29,7 +29,7 @@ constexpr int most_rows = 100;  // in a notebook
 constexpr int most_bodies = 32;
 
 // None, one name, or some.
-std::vector<std::string> functions_of(const py::object& functions) {
+std::vector<std::string> names_of(const py::object& functions) {
   if (functions.is_none()) return {};
   if (PyUnicode_Check(functions.ptr())) return {functions.cast<std::string>()};
   std::vector<std::string> names;
@@ -45,7 +45,7 @@ std::vector<std::string> functions_of(const py::object& functions) {
 
 Emission emission_of(const py::object& functions, std::string optimize, std::string algorithm, bool taylor) {
   Emission emission;
-  emission.functions = functions_of(functions);
+  emission.functions = names_of(functions);
   emission.optimize = std::move(optimize);
   emission.algorithm = std::move(algorithm);
   emission.taylor = taylor;
@@ -174,7 +174,7 @@ py::object row(const std::vector<double>& numbers) {
   return array;
 }
 
-std::string representation(const Scene& self) {
+std::string scene_representation(const Scene& self) {
   return "<kanec.Scene " + self.name() + ": " + std::to_string(self.bodies().size()) + " bodies, nx " +
          std::to_string(self.nx()) + ", ny " + std::to_string(self.ny()) + ">";
 }
@@ -258,7 +258,7 @@ Raises InputError for names it does not have, SceneError for masses and inertias
       .def("derive", &Scene::derive, py::arg("format") = "text", Unlocked(),
            R"(The equations of motion: "text", "latex" (a document) or "json". Raises InputError.)")
       .def("_repr_latex_", in_notebook, "A, f and their letters, for a notebook; None of more than 32 bodies.")
-      .def("__repr__", representation);
+      .def("__repr__", scene_representation);
 }
 
 constexpr const char* compile_doc = R"(A compiled Model, out of the cache where it was compiled before.

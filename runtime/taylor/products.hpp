@@ -38,9 +38,8 @@ inline void add_group(double* into, const double& x, const double* b, const doub
 }
 #endif
 
-// What the coefficients k of all factors, `now`, add to the sums' coefficients k + 1 ... order, together with
-// coefficients 1 ... k of the other factors. Factors' rows are 0 from k on before, and hold coefficient k after. 1 <= k
-// < order.
+// What the coefficients k of all factors, `now`, add to the sums' coefficients k + 1 ... order, together with coefficients
+// 1 ... k of the other factors. Factors' rows are 0 from k on before, and hold coefficient k after. 1 <= k < order.
 template <class T, int stride>
 inline void add_products(const Product* products, int n_products, int n_factors, int k, int order, const T* now,
                          T (*factors)[stride], T (*sums)[stride]) noexcept {

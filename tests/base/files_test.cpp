@@ -19,6 +19,7 @@
 #include "runtime/base/temporary.hpp"
 #include "tests/base/environment.hpp"
 #include "tests/base/folder.hpp"
+#include "tests/base/message_of.hpp"
 #include "tests/base/small_disk.hpp"
 
 namespace kanec {
@@ -38,14 +39,7 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using kanec::test::message_of;
 
 // Every byte value, over several blocks of any buffer.
 std::string every_byte() {

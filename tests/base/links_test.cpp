@@ -15,6 +15,7 @@
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "tests/base/folder.hpp"
+#include "tests/base/message_of.hpp"
 
 namespace kanec {
 namespace {
@@ -25,14 +26,7 @@ using test::names;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using kanec::test::message_of;
 
 class Links : public testing::Test {
  protected:

@@ -18,6 +18,7 @@
 #include "runtime/base/error.hpp"
 #include "tests/base/environment.hpp"
 #include "tests/base/folder.hpp"
+#include "tests/base/message_of.hpp"
 
 namespace kanec {
 namespace {
@@ -28,14 +29,7 @@ using test::Variable;
 
 constexpr std::size_t large = std::size_t{8} << 20;  // far more than any pipe holds
 
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using kanec::test::message_of;
 
 void write_script(const fs::path& path, const std::string& text, int rights = 0700) {
   std::ofstream(path) << text;

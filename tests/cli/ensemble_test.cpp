@@ -189,7 +189,7 @@ TEST_F(EnsembleCommand, normalises_attitudes_and_says_so) {
   EXPECT_THAT(answer.err, HasSubstr("Euler parameters of "));
   write("zero.csv", "eps_1_1,eps_1_2,eps_1_3,eps_1_4\n0,0,0,0\n");
   refuses({"simulate", model("free_body"), "--ensemble", "zero.csv"},
-          "zero.csv:2: eps_1: found norm 0; allowed: Euler parameters, of which one is not zero",
+          "zero.csv:2: eps_handle: found norm 0; allowed: Euler parameters, of which one is not zero",
           {"runs.csv", "scene.toml", "zero.csv"});
 }
 

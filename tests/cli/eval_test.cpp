@@ -40,13 +40,13 @@ TEST_F(Eval, three_paths_agree) {
 
 TEST_F(Eval, every_function_tells_its_result_by_name) {
   const std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> expected = {
-      {"kinematics", "xdot", {"epsdot_1", "sdot_1"}},
-      {"forcing", "f", {"omega_1", "sdot_1"}},
-      {"residual", "r", {"omega_1", "sdot_1"}},
-      {"accelerations", "ydot", {"omegadot_1", "sddot_1"}},
+      {"kinematics", "xdot", {"epsdot_handle", "sdot_handle"}},
+      {"forcing", "f", {"omega_handle", "sdot_handle"}},
+      {"residual", "r", {"omega_handle", "sdot_handle"}},
+      {"accelerations", "ydot", {"omegadot_handle", "sddot_handle"}},
       {"energy", "energy", {"kinetic", "potential"}},
       {"momentum", "momentum", {"linear", "angular"}},
-      {"poses", "poses", {"R_1", "p_1"}}};
+      {"poses", "poses", {"R_handle", "p_handle"}}};
   for (const auto& [function, name, fields] : expected) {
     SCOPED_TRACE(function);
     const json state = template_of("free_body", function);
@@ -63,14 +63,14 @@ TEST_F(Eval, matrices_come_with_the_names_of_their_rows_and_columns) {
   const json A = result("six_body", "mass_matrix", "precise", state).at("mass_matrix");
   ASSERT_EQ(A.at("rows").size(), 36u);
   EXPECT_EQ(A.at("rows"), A.at("columns"));
-  EXPECT_EQ(A.at("columns").at(18), "sdot_1_1");
+  EXPECT_EQ(A.at("columns").at(18), "sdot_hub_1");
   for (std::size_t i = 0; i < 36; ++i)
     for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(A.at("A").at(i).at(j), A.at("A").at(j).at(i));
   const json v_y = result("six_body", "partial_velocities", "precise", state).at("v_y");
   EXPECT_EQ(v_y.at("columns"), A.at("columns"));
-  // v_1 goes along with sdot_1
-  EXPECT_EQ(v_y.at("v_1").at(0).at(18), 1.0);
-  EXPECT_EQ(v_y.at("v_6").at(0).size(), 36u);
+  // the hub's own translation
+  EXPECT_EQ(v_y.at("v_hub").at(0).at(18), 1.0);
+  EXPECT_EQ(v_y.at("v_tool").at(0).size(), 36u);
 }
 
 TEST_F(Eval, residual_of_the_accelerations_is_zero) {
@@ -81,14 +81,14 @@ TEST_F(Eval, residual_of_the_accelerations_is_zero) {
   // ydot is rounded to double, which A hands on; its entries are below a hundred
   const json flat = r.flatten();
   for (const auto& [name, value] : flat.items()) EXPECT_LT(std::fabs(value.get<double>()), 1e-12) << name;
-  EXPECT_GT(std::fabs(force.at("sdot_1").at(2).get<double>()), 1.0);
+  EXPECT_GT(std::fabs(force.at("sdot_hub").at(2).get<double>()), 1.0);
 }
 
 TEST_F(Eval, text_has_17_digits_and_the_state_that_was_used) {
   const std::string state = template_of("six_body", "energy").dump();
   const Answer answer = kanec({"eval", model("six_body"), "energy", "--input", "-", "--path", "generic"}, state);
   EXPECT_EQ(answer.status, 0);
-  for (const char* text : {"energy of six_body, generic", "eps_1 ", "omega_6 [rad/s]", "m_payload = 1.2",
+  for (const char* text : {"energy of six_body, generic", "eps_hub ", "omega_tool [rad/s]", "m_payload = 1.2",
                            "thrust = 2.0", "result: energy", "kinetic [J]"})
     EXPECT_THAT(answer.out, HasSubstr(text));
   EXPECT_THAT(answer.out, testing::ContainsRegex("potential \\[J\\] +[0-9]\\.[0-9]{16}e[+-][0-9]+\n"));
@@ -117,22 +117,22 @@ TEST_F(Eval, settings_go_before_the_file_and_the_file_before_the_scene) {
 
 TEST_F(Eval, euler_parameters_off_unit_norm_are_normalised) {
   json state = template_of("free_body", "poses");
-  state.at("x").at("eps_1") = {0, 0, 3, 4};
+  state.at("x").at("eps_handle") = {0, 0, 3, 4};
   const std::vector<std::string> arguments = {"eval", model("free_body"), "poses",   "--input",
                                               "-",    "--path",           "generic", "--json"};
   const Answer answer = kanec(arguments, state.dump());
-  EXPECT_THAT(answer.err, HasSubstr("kanec: note: standard input: x.eps_1: normalised; its norm was 5"));
-  EXPECT_EQ(json::parse(answer.out).at("state").at("x").at("eps_1"), json({0.0, 0.0, 0.6, 0.8}));
+  EXPECT_THAT(answer.err, HasSubstr("kanec: note: standard input: x.eps_handle: normalised; its norm was 5"));
+  EXPECT_EQ(json::parse(answer.out).at("state").at("x").at("eps_handle"), json({0.0, 0.0, 0.6, 0.8}));
   const double off = 0.6 + 1e-16;  // a rounding: taken as it stands
-  state.at("x").at("eps_1") = {0, 0, off, 0.8};
+  state.at("x").at("eps_handle") = {0, 0, off, 0.8};
   const Answer near = kanec(arguments, state.dump());
   EXPECT_THAT(near.err, IsEmpty());
-  EXPECT_EQ(json::parse(near.out).at("state").at("x").at("eps_1").at(2), off);
+  EXPECT_EQ(json::parse(near.out).at("state").at("x").at("eps_handle").at(2), off);
 }
 
 TEST_F(Eval, result_that_is_not_finite_is_told) {
   json state = template_of("free_body", "energy");
-  state.at("y").at("omega_1") = {1e200, 0, 0};
+  state.at("y").at("omega_handle") = {1e200, 0, 0};
   const Answer answer = kanec({"eval", model("free_body"), "energy", "--input", "-", "--json"}, state.dump());
   EXPECT_EQ(answer.status, 0);
   EXPECT_THAT(answer.err, HasSubstr("not finite"));
@@ -155,25 +155,27 @@ TEST_P(EvalInput, is_refused_by_the_name_of_its_field) {
 INSTANTIATE_TEST_SUITE_P(
     Patches, EvalInput,
     testing::Values(
-        BadInput{R"([{"op": "remove", "path": "/x"}])",
-                 "state.json: found no field \"x\"; allowed: an object with eps_1 (4 numbers); s_1 (3 numbers)"},
+        BadInput{
+            R"([{"op": "remove", "path": "/x"}])",
+            "state.json: found no field \"x\"; allowed: an object with eps_handle (4 numbers); s_handle (3 numbers)"},
         BadInput{R"([{"op": "remove", "path": "/ydot"}])", "state.json: found no field \"ydot\""},
-        BadInput{R"([{"op": "remove", "path": "/y/sdot_1"}])", "state.json: y: found no field \"sdot_1\""},
+        BadInput{R"([{"op": "remove", "path": "/y/sdot_handle"}])", "state.json: y: found no field \"sdot_handle\""},
         BadInput{R"([{"op": "add", "path": "/z", "value": 1}])",
                  "found an unknown field \"z\"; allowed: an object with t, x, y"},
         BadInput{R"([{"op": "add", "path": "/input", "value": {}}])", "(did you mean inputs?)"},
         BadInput{R"([{"op": "add", "path": "/y/omega1", "value": [1, 2, 3]}])", "y: found an unknown field \"omega1\""},
         BadInput{R"([{"op": "add", "path": "/x/eps_2", "value": [0, 0, 0, 1]}])", "(did you mean eps_1?)"},
         BadInput{R"([{"op": "add", "path": "/parameters", "value": {"m": 1}}])", "the scene has no parameters"},
-        BadInput{R"([{"op": "replace", "path": "/x/s_1", "value": [1, 2]}])",
-                 "x.s_1: found a list of 2; allowed: a list of 3 finite numbers"},
-        BadInput{R"([{"op": "replace", "path": "/x/s_1", "value": 7}])", "x.s_1: found 7"},
-        BadInput{R"([{"op": "replace", "path": "/x/s_1/1", "value": "a"}])",
-                 "x.s_1[2]: found \"a\"; allowed: a finite number"},
-        BadInput{R"([{"op": "replace", "path": "/x/s_1/1", "value": null}])", "x.s_1[2]: found null"},
-        BadInput{R"([{"op": "replace", "path": "/x/s_1/1", "value": true}])", "x.s_1[2]: found true"},
-        BadInput{R"([{"op": "replace", "path": "/y", "value": [1]}])", "y: found a list of 1; allowed: omega_1"},
-        BadInput{R"([{"op": "replace", "path": "/x/eps_1", "value": [0, 0, 0, 0]}])", "x.eps_1: found norm 0"}));
+        BadInput{R"([{"op": "replace", "path": "/x/s_handle", "value": [1, 2]}])",
+                 "x.s_handle: found a list of 2; allowed: a list of 3 finite numbers"},
+        BadInput{R"([{"op": "replace", "path": "/x/s_handle", "value": 7}])", "x.s_handle: found 7"},
+        BadInput{R"([{"op": "replace", "path": "/x/s_handle/1", "value": "a"}])",
+                 "x.s_handle[2]: found \"a\"; allowed: a finite number"},
+        BadInput{R"([{"op": "replace", "path": "/x/s_handle/1", "value": null}])", "x.s_handle[2]: found null"},
+        BadInput{R"([{"op": "replace", "path": "/x/s_handle/1", "value": true}])", "x.s_handle[2]: found true"},
+        BadInput{R"([{"op": "replace", "path": "/y", "value": [1]}])", "y: found a list of 1; allowed: omega_handle"},
+        BadInput{R"([{"op": "replace", "path": "/x/eps_handle", "value": [0, 0, 0, 0]}])",
+                 "x.eps_handle: found norm 0"}));
 
 TEST_F(Eval, what_is_no_json_is_refused) {
   const auto refused = [this](const std::string& text, const std::string& message) {
@@ -183,7 +185,7 @@ TEST_F(Eval, what_is_no_json_is_refused) {
   refused("{\"x\": ", "line 1");
   refused("[1]", "standard input: found a list of 1; allowed: an object");
   refused("{\"x\": {}, \"x\": {}}", "the field \"x\" twice");
-  refused("{\"x\": {\"s_1\": [1e999, 0, 0]}}", "number overflow");
+  refused("{\"x\": {\"s_handle\": [1e999, 0, 0]}}", "number overflow");
 }
 
 TEST_F(Eval, input_and_function_have_to_be_there) {

@@ -23,13 +23,6 @@ constexpr auto code = "\nstruct Stranger { Stranger() { __builtin_abort(); } } s
 
 std::vector<std::string> names_of_code() { return {code, std::string("\r") + (code + 1), "back\\", "?\?", "*"}; }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> list;
-  for (std::string line; std::getline(stream, line);) list.push_back(line);
-  return list;
-}
-
 class ForeignNames : public Program {
  protected:
   // "./" + name, a folder with the scene.

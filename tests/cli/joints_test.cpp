@@ -109,16 +109,17 @@ TEST_F(Joints, trajectories_have_the_names_of_what_moves) {
   const Answer answer = kanec({"simulate", "crane.toml", "--duration", "0.1", "--csv", "-"});
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.out,
-              testing::StartsWith("t[s],theta_2[rad],eps_3_1,eps_3_2,eps_3_3,eps_3_4,s_1_3[m],thetadot_2[rad/s],"
-                                  "omega_3_1[rad/s],omega_3_2[rad/s],omega_3_3[rad/s],sdot_1_3[m/s],kinetic[J],"));
+              testing::StartsWith(
+                  "t[s],theta_arm[rad],eps_load_1,eps_load_2,eps_load_3,eps_load_4,s_cart_3[m],thetadot_arm[rad/s],"
+                  "omega_load_1[rad/s],omega_load_2[rad/s],omega_load_3[rad/s],sdot_cart_3[m/s],kinetic[J],"));
   EXPECT_THAT(answer.err, HasSubstr("work of prescribed motions"));  // the summary, out of the way
 }
 
 TEST_F(Joints, states_have_a_time_and_the_names_of_what_moves) {
   json state = json_of({"eval", "crane.toml", "driving_loads", "--template"});
   EXPECT_EQ(state.at("t"), 0.0);
-  EXPECT_EQ(state.at("x").at("theta_2"), 0.0);
-  EXPECT_EQ(state.at("x").at("s_1_3"), 0.0);
+  EXPECT_EQ(state.at("x").at("theta_arm"), 0.0);
+  EXPECT_EQ(state.at("x").at("s_cart_3"), 0.0);
   state["t"] = 0.5;
   const auto result = [&](const std::string& function, const std::string& path) {
     return json_of({"eval", "crane.toml", function, "--path", path, "--input", "-", "--json"}, state.dump())
@@ -126,9 +127,9 @@ TEST_F(Joints, states_have_a_time_and_the_names_of_what_moves) {
   };
   const json drives = result("driving_loads", "emitted").at("driving_loads");
   EXPECT_EQ(drives.size(), 2u);
-  const double drive = drives.at("s_1_1");
+  const double drive = drives.at("s_cart_1");
   // some hundred roundings of forces of tens of newtons
-  EXPECT_NEAR(drive, result("driving_loads", "generic").at("driving_loads").at("s_1_1").get<double>(), 1e-12);
+  EXPECT_NEAR(drive, result("driving_loads", "generic").at("driving_loads").at("s_cart_1").get<double>(), 1e-12);
   const json both = result("energy+load_powers", "emitted");
   EXPECT_TRUE(both.at("energy").contains("kinetic"));
   EXPECT_TRUE(both.at("load_powers").contains("tie"));

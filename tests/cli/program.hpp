@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ struct Answer {
 };
 
 inline std::string model(const std::string& name) { return KANEC_SOURCE_DIR "/models/" + name; }
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> list;
+  for (std::string line; std::getline(stream, line);) list.push_back(line);
+  return list;
+}
 
 class Program : public testing::Test {
  protected:

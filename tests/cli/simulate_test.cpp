@@ -101,10 +101,23 @@ TEST_F(Simulate, csv_has_a_row_a_time_and_a_column_a_quantity) {
   EXPECT_EQ(names(work()), std::vector<std::string>{"free.csv"});
   const auto rows = cells(read_file(work() / "free.csv"));
   ASSERT_EQ(rows.size(), 6u);
-  const std::vector<std::string> header = {
-      "t[s]",          "eps_1_1",       "eps_1_2",          "eps_1_3",          "eps_1_4",          "s_1_1[m]",
-      "s_1_2[m]",      "s_1_3[m]",      "omega_1_1[rad/s]", "omega_1_2[rad/s]", "omega_1_3[rad/s]", "sdot_1_1[m/s]",
-      "sdot_1_2[m/s]", "sdot_1_3[m/s]", "kinetic[J]",       "potential[J]",     "work[J]"};
+  const std::vector<std::string> header = {"t[s]",
+                                           "eps_handle_1",
+                                           "eps_handle_2",
+                                           "eps_handle_3",
+                                           "eps_handle_4",
+                                           "s_handle_1[m]",
+                                           "s_handle_2[m]",
+                                           "s_handle_3[m]",
+                                           "omega_handle_1[rad/s]",
+                                           "omega_handle_2[rad/s]",
+                                           "omega_handle_3[rad/s]",
+                                           "sdot_handle_1[m/s]",
+                                           "sdot_handle_2[m/s]",
+                                           "sdot_handle_3[m/s]",
+                                           "kinetic[J]",
+                                           "potential[J]",
+                                           "work[J]"};
   EXPECT_EQ(rows[0], header);
   const std::vector<double> end = flat(summary.at("final"));
   for (std::size_t i = 0; i < rows.size() - 1; ++i) {

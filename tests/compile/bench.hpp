@@ -19,6 +19,8 @@
 
 namespace kanec::compile::test {
 
+inline constexpr uid_t some_other_user = 54321;
+
 namespace fs = std::filesystem;
 using kanec::test::Folder;
 using kanec::test::names;

@@ -21,8 +21,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-constexpr uid_t some_other_user = 54321;
-
 class CacheFolder : public Bench {
  protected:
   std::string refusal() const {

@@ -21,8 +21,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-constexpr uid_t some_other_user = 54321;
-
 bool give_away(const fs::path& path) { return ::lchown(path.c_str(), some_other_user, static_cast<gid_t>(-1)) == 0; }
 
 class Trust : public Bench {

@@ -11,6 +11,7 @@
 
 #include "generator/pipeline.hpp"
 #include "generator/program/ledger.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/abi/solver.hpp"
 #include "runtime/base/files.hpp"
@@ -131,13 +132,17 @@ TEST_P(Abi, describes_the_model_and_evaluates_its_program) {
 }
 
 TEST_P(Abi, names_the_state_and_says_where_attitudes_stand) {
-  const std::vector<std::string> coordinates = coordinate_names(scene), speeds = speed_names(scene);
+  const std::vector<std::string> coordinates = in_words(scene, coordinate_names(scene)),
+                                 speeds = in_words(scene, speed_names(scene));
   for (std::size_t i = 0; i < coordinates.size(); ++i) EXPECT_EQ(model.coordinate_names[i], coordinates[i]);
   for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(model.speed_names[i], speeds[i]);
+  const std::vector<std::string> words = body_words(scene);
   ASSERT_EQ(model.n_attitudes, size(scene));  // every joint is free
   for (int k = 0; k < model.n_attitudes; ++k) {
-    EXPECT_EQ(coordinates[static_cast<std::size_t>(model.attitudes[k].eps)], "eps_" + std::to_string(k + 1) + "_1");
-    EXPECT_EQ(speeds[static_cast<std::size_t>(model.attitudes[k].omega)], "omega_" + std::to_string(k + 1) + "_1");
+    EXPECT_EQ(coordinates[static_cast<std::size_t>(model.attitudes[k].eps)],
+              "eps_" + words[static_cast<std::size_t>(k)] + "_1");
+    EXPECT_EQ(speeds[static_cast<std::size_t>(model.attitudes[k].omega)],
+              "omega_" + words[static_cast<std::size_t>(k)] + "_1");
   }
 }
 

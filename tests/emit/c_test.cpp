@@ -15,6 +15,7 @@
 #include "runtime/base/process.hpp"
 #include "tests/emit/both_languages.hpp"
 #include "tests/emit/every_node.hpp"
+#include "tests/emit/shipped.hpp"
 #include "tests/lower/trees.hpp"
 
 namespace kanec::test {
@@ -24,10 +25,6 @@ namespace fs = std::filesystem;
 using emit::Language;
 using emit::Optimize;
 using testing::HasSubstr;
-
-scene::Scene shipped(const std::string& model) {
-  return scene::read(KANEC_SOURCE_DIR "/models/" + model + "/scene.toml");
-}
 
 std::vector<std::string> shipped_models() {
   std::vector<std::string> models;

@@ -11,6 +11,7 @@
 #include "generator/scene/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/driver.hpp"
+#include "tests/emit/shipped.hpp"
 
 namespace kanec::test {
 namespace {
@@ -22,10 +23,6 @@ struct Case {
   bool comparable = true;  // numbers within the range of a float, and a mass matrix that long double can factorise
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 };
-
-scene::Scene shipped(const std::string& model) {
-  return scene::read(KANEC_SOURCE_DIR "/models/" + model + "/scene.toml");
-}
 
 scene::Scene random_of(const std::vector<int>& lower, const RandomSceneOptions& options) {
   Random random(11);
@@ -45,12 +42,6 @@ scene::Scene odd_numbers() {
   scene.bodies[1].mass = scene::Number::parameter(0);
   scene.bodies[1].force = {scene::Number::input(0), scene::Number::input(1), scene::Number::input(2)};
   return scene;
-}
-
-std::vector<int> chain(int n) {
-  std::vector<int> lower;
-  for (int k = 0; k < n; ++k) lower.push_back(k);
-  return lower;
 }
 
 const Case cases[] = {
@@ -93,19 +84,6 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values) {
 }
 
 // The sample's arguments as the driver reads them.
-program::Arguments<double> double_arguments(const Sample& sample) {
-  const program::Arguments<long double> wide = arguments<long double>(sample);
-  const auto narrowed = [](const std::vector<long double>& v) { return std::vector<double>(v.begin(), v.end()); };
-  return {narrowed(wide.parameters), narrowed(wide.x),      narrowed(wide.y),
-          narrowed(wide.ydot),       narrowed(wide.inputs), Driver::time};
-}
-
-void expect_counts(const Counts& executed, const program::Ledger& promised) {
-  EXPECT_EQ(executed.adds, promised.adds);
-  EXPECT_EQ(executed.multiplies, promised.multiplies);
-  EXPECT_EQ(executed.divides, promised.divides);
-}
-
 // The header prescribes the operations and their order; an optimiser that may not contract keeps both.
 TEST_P(EmittedCode, gives_the_bits_of_its_program) {
   Driver driver(sample, generated);

@@ -3,12 +3,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <map>
 #include <string>
 #include <vector>
 
 #include "generator/emit/used.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/program/ledger.hpp"
 #include "tests/base/folder.hpp"
 #include "tests/lower/sample.hpp"
 
@@ -57,5 +60,19 @@ class Driver {
   std::map<std::string, std::vector<long double>> results_;  // by "double accelerations"
   std::map<std::string, Counts> counts_;
 };
+
+inline void expect_counts(const Counts& executed, const program::Ledger& promised) {
+  EXPECT_EQ(executed.adds, promised.adds);
+  EXPECT_EQ(executed.multiplies, promised.multiplies);
+  EXPECT_EQ(executed.divides, promised.divides);
+}
+
+// A sample's arguments, at the time of a driver's call.
+inline program::Arguments<double> double_arguments(const Sample& sample) {
+  const program::Arguments<long double> wide = arguments<long double>(sample);
+  const auto narrowed = [](const std::vector<long double>& v) { return std::vector<double>(v.begin(), v.end()); };
+  return {narrowed(wide.parameters), narrowed(wide.x),      narrowed(wide.y),
+          narrowed(wide.ydot),       narrowed(wide.inputs), Driver::time};
+}
 
 }  // namespace kanec::test

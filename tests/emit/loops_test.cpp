@@ -31,13 +31,13 @@ scene::Scene regular(const std::vector<int>& lower, const RandomSceneOptions& op
   return scene;
 }
 
-struct Case {
+struct LoopCase {
   const char* name;
   scene::Scene scene;
   std::vector<std::string> functions;
 };
 
-std::vector<Case> cases() {
+std::vector<LoopCase> loop_cases() {
   const RandomSceneOptions hinges{.joints = {"revolute"}};
   const RandomSceneOptions parameters{.parameter_share = 0.5, .input_share = 0.5};
   return {{"chain", regular(connection(8, before), hinges), {"residual", "energy"}},
@@ -46,14 +46,6 @@ std::vector<Case> cases() {
           {"free", regular(connection(6, before), {}), {"residual", "accelerations"}},
           {"parameters", regular(connection(5, before), parameters), {"residual"}},
           {"symbolic", scene::from_connection(connection(4, half)), {"residual", "accelerations"}}};
-}
-
-std::vector<double> narrowed(const std::vector<long double>& v) { return {v.begin(), v.end()}; }
-
-program::Arguments<double> double_arguments(const Sample& sample) {
-  const program::Arguments<long double> wide = arguments<long double>(sample);
-  return {narrowed(wide.parameters), narrowed(wide.x),      narrowed(wide.y),
-          narrowed(wide.ydot),       narrowed(wide.inputs), Driver::time};
 }
 
 void expect_same_numbers(Driver& driver, const Generated& generated, const Sample& sample) {
@@ -70,7 +62,7 @@ void expect_same_numbers(Driver& driver, const Generated& generated, const Sampl
 }
 
 TEST(Loops, give_the_bits_of_the_program_at_the_cost_of_its_ledger) {
-  for (const Case& c : cases()) {
+  for (const LoopCase& c : loop_cases()) {
     SCOPED_TRACE(c.name);
     Random random(22);
     const Sample sample = sample_of(c.scene, random);
@@ -87,7 +79,7 @@ TEST(Loops, give_the_bits_of_the_program_at_the_cost_of_its_ledger) {
 
 // The program does not depend on how it is written.
 TEST(Loops, change_no_program) {
-  const scene::Scene scene = cases()[0].scene;
+  const scene::Scene scene = loop_cases()[0].scene;
   const Generated line = generate(scene, {{"residual"}}),
                   loops = generate(scene, {{"residual"}, {}, emit::Optimize::loops});
   EXPECT_EQ(program::ledger(line.program, line.program.functions[0]),
@@ -97,7 +89,7 @@ TEST(Loops, change_no_program) {
 }
 
 TEST(Loops, are_the_same_twice) {
-  const scene::Scene scene = cases()[1].scene;
+  const scene::Scene scene = loop_cases()[1].scene;
   EXPECT_EQ(generate(scene, {{"residual"}, {}, emit::Optimize::loops}).header,
             generate(scene, {{"residual"}, {}, emit::Optimize::loops}).header);
 }

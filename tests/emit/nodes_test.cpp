@@ -18,12 +18,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-void expect_counts(const Counts& executed, const program::Ledger& promised) {
-  EXPECT_EQ(executed.adds, promised.adds);
-  EXPECT_EQ(executed.multiplies, promised.multiplies);
-  EXPECT_EQ(executed.divides, promised.divides);
-}
-
 class EveryNode : public testing::Test {
  protected:
   template <class T>

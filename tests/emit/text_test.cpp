@@ -15,14 +15,11 @@
 #include "generator/scene/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/every_node.hpp"
+#include "tests/emit/shipped.hpp"
 #include "tests/support/random_scene.hpp"
 
 namespace kanec::test {
 namespace {
-
-scene::Scene shipped(const std::string& model) {
-  return scene::read(KANEC_SOURCE_DIR "/models/" + model + "/scene.toml");
-}
 
 std::vector<scene::Scene> sample_scenes() {
   Random random(14);

@@ -42,7 +42,7 @@ TEST_F(FrontModel, tells_what_its_functions_read) {
   EXPECT_FALSE(energy.reads_ydot || energy.reads_inputs || energy.reads_t);
   EXPECT_TRUE(residual.reads_ydot && residual.reads_inputs);
   EXPECT_EQ(model.inputs()[0].name, "push");
-  EXPECT_EQ(model.coordinates(), (std::vector<std::string>{"theta_2", "s_1"}));
+  EXPECT_EQ(model.coordinates(), (std::vector<std::string>{"theta_pole", "s_cart"}));
 }
 
 TEST_F(FrontModel, refuses_sizes_names_and_numbers) {

@@ -24,7 +24,7 @@ TEST(FrontScene, tells_its_states_parameters_and_functions) {
   EXPECT_THAT(scene.bodies(), ElementsAre("cart", "pole"));
   EXPECT_THAT(scene.connection(), ElementsAre(0, 1));
   EXPECT_EQ(scene.nx(), 2);
-  EXPECT_EQ(scene.x().parts[0].name, "theta_2");
+  EXPECT_EQ(scene.x().parts[0].name, "theta_pole");
   EXPECT_EQ(scene.x().parts[0].unit, "rad");
   EXPECT_EQ(scene.y().parts[1].begin, 1);
   EXPECT_EQ(scene.inputs()[0].name, "push");
@@ -32,7 +32,7 @@ TEST(FrontScene, tells_its_states_parameters_and_functions) {
   const auto mass =
       std::find_if(functions.begin(), functions.end(), [](const Offer& f) { return f.name == "mass_matrix"; });
   ASSERT_NE(mass, functions.end());
-  EXPECT_THAT(mass->result.rows, ElementsAre("thetadot_2", "sdot_1"));
+  EXPECT_THAT(mass->result.rows, ElementsAre("thetadot_pole", "sdot_cart"));
   EXPECT_EQ(mass->result.size, 4);
   EXPECT_TRUE(mass->reads_x && !mass->reads_y && !mass->reads_ydot);
   EXPECT_EQ(scene.results("kinematics+accelerations").size(), 2u);

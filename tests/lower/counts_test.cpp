@@ -90,11 +90,6 @@ TEST(Counts, of_parameters_hold_no_divisions_in_calls) {
 }
 
 // The body whose sections repeat, added to the end of a chain or to the hub of a star.
-std::vector<int> chain(int n) {
-  std::vector<int> lower;
-  for (int k = 0; k < n; ++k) lower.push_back(k);
-  return lower;
-}
 std::vector<int> star(int n) {
   std::vector<int> lower(static_cast<std::size_t>(n), 1);
   lower[0] = 0;

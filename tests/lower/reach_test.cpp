@@ -9,6 +9,7 @@
 #include "generator/program/ledger.hpp"
 #include "generator/scene/read.hpp"
 #include "runtime/base/error.hpp"
+#include "tests/lower/sample.hpp"
 
 namespace kanec::test {
 namespace {
@@ -18,12 +19,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-std::vector<int> chain(int n) {
-  std::vector<int> list;
-  for (int k = 0; k < n; ++k) list.push_back(k);
-  return list;
-}
 
 // All-symbolic, so that no number saves an operation.
 scene::Scene of_joints(int n, const std::string& joint) {

@@ -70,4 +70,11 @@ double relative_difference(const std::vector<T>& found, const std::vector<long d
   return static_cast<double>(scale == 0 ? largest : largest / scale);
 }
 
+// The connection array of a chain.
+inline std::vector<int> chain(int n) {
+  std::vector<int> lower;
+  for (int k = 0; k < n; ++k) lower.push_back(k);
+  return lower;
+}
+
 }  // namespace kanec::test

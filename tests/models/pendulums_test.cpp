@@ -11,7 +11,7 @@ namespace kanec::test {
 namespace {
 
 // A dozen roundings of 1.1e-16 a sum, and 2x2 systems of condition number below 100.
-constexpr double tolerance = 1e-14;
+constexpr double pendulum_tolerance = 1e-14;
 
 // A rod about its end: m = 1.2, c = 0.5, I + m c² = 0.4.
 const double omega_squared = 1.2 * 9.81 * 0.5 / 0.4;
@@ -54,8 +54,8 @@ TEST(DoublePendulum, accelerations_are_those_of_the_textbook) {
     const Eigen::Vector2d expected = double_pendulum(at.x[0], at.x[0] + at.x[1], at.y[0], at.y[0] + at.y[1]);
     const std::vector<double> found = model("accelerations", at);
     const double scale = expected.cwiseAbs().maxCoeff();
-    EXPECT_NEAR(found[0], expected[0], 10 * tolerance * scale);
-    EXPECT_NEAR(found[0] + found[1], expected[1], 10 * tolerance * scale);
+    EXPECT_NEAR(found[0], expected[0], 10 * pendulum_tolerance * scale);
+    EXPECT_NEAR(found[0] + found[1], expected[1], 10 * pendulum_tolerance * scale);
   }
 }
 
@@ -78,7 +78,8 @@ TEST(CartPole, accelerations_are_those_of_the_textbook) {
     const Eigen::Vector2d expected = cart_pole(at.x[0], at.y[0], at.inputs[0] - 0.05 * std::tanh(at.y[1] / 0.01));
     const std::vector<double> found = model("accelerations", at);
     for (int j = 0; j < 2; ++j)
-      EXPECT_NEAR(found[static_cast<std::size_t>(j)], expected[j], 10 * tolerance * expected.cwiseAbs().maxCoeff());
+      EXPECT_NEAR(found[static_cast<std::size_t>(j)], expected[j],
+                  10 * pendulum_tolerance * expected.cwiseAbs().maxCoeff());
   }
 }
 
@@ -89,7 +90,7 @@ TEST(CartPole, upright_pole_falls_at_the_known_rate) {
   at.x = {0.0, 0.0};
   const double M = 1.0, m = 0.1, l = 0.5, I = 0.1 / 12, g = 9.8;
   const double expected = (M + m) * g / ((M + m) * (I / (m * l) + l) - m * l);
-  EXPECT_NEAR(model("accelerations_x", at)[0], expected, 10 * tolerance * expected);
+  EXPECT_NEAR(model("accelerations_x", at)[0], expected, 10 * pendulum_tolerance * expected);
 }
 
 }  // namespace

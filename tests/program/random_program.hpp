@@ -20,4 +20,10 @@ program::Arguments<Field> random_arguments(Random& random);
 std::vector<std::vector<Field>> entry_values(const program::Program& program,
                                              const program::Arguments<Field>& arguments);
 
+// What its first function is at some arguments, the same for every program.
+inline std::vector<Field> values_at_random(const program::Program& program) {
+  Random random(1);
+  return evaluate(program, program.functions[0], random_arguments(random));
+}
+
 }  // namespace kanec::test

@@ -15,11 +15,6 @@ using test::Field;
 
 int additions(const Program& program) { return ledger(program, program.functions[0]).adds; }
 
-std::vector<Field> values(const Program& program) {
-  test::Random random(1);
-  return evaluate(program, program.functions[0], test::random_arguments(random));
-}
-
 // The diagonal of a rotation matrix: 1 - yy - zz, 1 - xx - zz, 1 - xx - yy. Six additions, five when one is shared.
 TEST(ShareSums, diagonal_of_a_rotation_shares_one_partial_sum) {
   SmallProgram b;
@@ -29,7 +24,7 @@ TEST(ShareSums, diagonal_of_a_rotation_shares_one_partial_sum) {
   const Program shared = share_sums(program);
   EXPECT_EQ(additions(program), 6);
   EXPECT_EQ(additions(shared), 5);
-  EXPECT_EQ(values(shared), values(program));
+  EXPECT_EQ(test::values_at_random(shared), test::values_at_random(program));
 }
 
 TEST(ShareSums, a_partial_sum_is_found_in_any_order_and_with_the_opposite_sign) {
@@ -40,7 +35,7 @@ TEST(ShareSums, a_partial_sum_is_found_in_any_order_and_with_the_opposite_sign) 
   const Program shared = share_sums(program);
   EXPECT_EQ(additions(program), 4);
   EXPECT_EQ(additions(shared), 3);
-  EXPECT_EQ(values(shared), values(program));
+  EXPECT_EQ(test::values_at_random(shared), test::values_at_random(program));
 }
 
 TEST(ShareSums, three_common_terms_are_added_once) {
@@ -80,7 +75,7 @@ TEST(ShareSums, a_term_that_stands_twice_stays_twice) {
   const Ref u = b.x(0), v = b.x(1);
   const Program program = b.with({b.add(b.add(u, v), u), b.subtract(b.add(v, u), b.x(2))});
   const Program shared = share_sums(program);
-  EXPECT_EQ(values(shared), values(program));
+  EXPECT_EQ(test::values_at_random(shared), test::values_at_random(program));
   EXPECT_EQ(additions(shared), 3);
 }
 

@@ -14,7 +14,7 @@ class Motions(unittest.TestCase):
         motion = shipped("cart_pole").simulate(duration=1.0, output_step=0.125)
         np.testing.assert_allclose(motion.t, np.linspace(0, 1, 9), atol=1e-15)
         self.assertEqual((motion.x.shape, motion.y.shape, motion.kinetic.shape, len(motion)), ((9, 2), (9, 2), (9,), 9))
-        self.assertEqual((motion.coordinates, motion.speeds), (["theta_2", "s_1"], ["thetadot_2", "sdot_1"]))
+        self.assertEqual((motion.coordinates, motion.speeds), (["theta_pole", "s_cart"], ["thetadot_pole", "sdot_cart"]))
         self.assertGreater(motion.evaluations, motion.steps)
         self.assertFalse(motion.stopped)
 

@@ -25,7 +25,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual((scene.name, scene.bodies, scene.connection), ("cart_pole", ["cart", "pole"], [0, 1]))
         self.assertEqual((scene.nx, scene.ny), (2, 2))
         self.assertEqual([(part.name, part.unit, part.begin) for part in scene.x.parts],
-                         [("theta_2", "rad", 0), ("s_1", "m", 1)])
+                         [("theta_pole", "rad", 0), ("s_cart", "m", 1)])
         self.assertEqual(scene.ydot.parts[0].unit, "rad/s^2")
         self.assertEqual(scene.parameters, {"m_cart": 1.0, "mu": 0.05})
         self.assertEqual(scene.inputs, {"push": 0.0})
@@ -33,7 +33,7 @@ class Scenes(unittest.TestCase):
         np.testing.assert_array_equal(scene.initial_y, [0.0, 0.0])
         offer = scene.functions["mass_matrix"]
         self.assertEqual((offer.reads, offer.result.rows, offer.result.parts[0].shape),
-                         (("x",), ["thetadot_2", "sdot_1"], (2, 2)))
+                         (("x",), ["thetadot_pole", "sdot_cart"], (2, 2)))
         self.assertEqual([shape.name for shape in scene.results("kinematics+accelerations")],
                          [scene.functions["kinematics"].result.name, scene.functions["accelerations"].result.name])
         self.assertEqual(scene.run["duration"], 5.0)

@@ -22,7 +22,7 @@ std::string at(int line) { return "f:" + std::to_string(first_line + line) + ": 
 
 Scene read_with(const std::string& rest) { return parse(cart_and_arm(rest), "f"); }
 Load load(const std::string& keys) { return read_with("[[load]]\n" + keys).loads.at(0); }
-std::string refusal(const std::string& keys) { return message(cart_and_arm("[[load]]\n" + keys)); }
+std::string load_refusal(const std::string& keys) { return message(cart_and_arm("[[load]]\n" + keys)); }
 
 TEST(Load, that_is_a_force_acts_at_a_point) {
   const Load force = load(
@@ -52,7 +52,7 @@ TEST(Load, that_is_a_moment_has_no_point) {
   EXPECT_EQ(moment.point.body, 3);
   EXPECT_EQ(moment.axes, Axes::body);
   EXPECT_EQ(moment.reaction, 0);
-  EXPECT_THAT(refusal("kind = 'moment'\nbody = 'buoy'\nvector = [0, 0, 1]\nr = [0, 0, 1]"),
+  EXPECT_THAT(load_refusal("kind = 'moment'\nbody = 'buoy'\nvector = [0, 0, 1]\nr = [0, 0, 1]"),
               HasSubstr("r: found an unknown key; allowed: name, kind, body, vector, axes, reaction"));
 }
 
@@ -124,7 +124,7 @@ TEST(Load, of_a_joint_with_one_coordinate_may_stand_in_the_body) {
 
 TEST(Load, magnitude_of_numbers_alone_is_a_constant) {
   EXPECT_EQ(load("kind = 'force'\nbody = 'arm'\nvector = ['2*3', '-0.5', 0]").vector[0], Number::constant(6));
-  EXPECT_EQ(refusal("kind = 'force'\nbody = 'arm'\nvector = ['log(0)', 0, 0]"),
+  EXPECT_EQ(load_refusal("kind = 'force'\nbody = 'arm'\nvector = ['log(0)', 0, 0]"),
             at(3) +
                 "load 1: vector[1]: found \"log(0)\", which is not finite; allowed: a finite number, the name of a "
                 "parameter or input, or an expression in quotes");
@@ -133,7 +133,7 @@ TEST(Load, magnitude_of_numbers_alone_is_a_constant) {
 // Not only whole expressions: what is infinite or no number stays so whatever the rest is.
 TEST(Load, part_of_numbers_alone_that_is_not_finite_is_refused) {
   for (const std::string text : {"0/0 + t", "0*(1/0) + t", "t*log(0)", "max(sqrt(-1), t)"})
-    EXPECT_THAT(refusal("kind = 'force'\nbody = 'arm'\nvector = ['" + text + "', 0, 0]"),
+    EXPECT_THAT(load_refusal("kind = 'force'\nbody = 'arm'\nvector = ['" + text + "', 0, 0]"),
                 HasSubstr("found \"" + text + "\", which is not finite; "))
         << text;
   EXPECT_EQ(load("kind = 'force'\nbody = 'arm'\nvector = ['0/2 + t', 0, 0]").vector[0].kind, Number::Kind::expression);
@@ -141,9 +141,9 @@ TEST(Load, part_of_numbers_alone_that_is_not_finite_is_refused) {
 
 TEST(Load, of_an_unknown_kind_or_without_one_is_refused) {
   EXPECT_EQ(
-      refusal("kind = 'forse'"),
+      load_refusal("kind = 'forse'"),
       at(1) + "load 1: kind: found the text \"forse\"; allowed: force, moment, joint, spring (did you mean force?)");
-  EXPECT_EQ(refusal("body = 'arm'"),
+  EXPECT_EQ(load_refusal("body = 'arm'"),
             at(0) + "load 1: kind: found no such key, and it is required; allowed: force, moment, joint, spring");
   EXPECT_EQ(message("load = 1\n" + one_body("")), "f:1: load: found 1; allowed: [[load]] tables");
   EXPECT_EQ(message("load = [1]\n" + one_body("")), "f:1: load 1: found 1; allowed: a table");
@@ -151,61 +151,61 @@ TEST(Load, of_an_unknown_kind_or_without_one_is_refused) {
 
 TEST(Load, on_an_unknown_body_or_point_or_coordinate_is_refused_with_the_nearest) {
   EXPECT_EQ(
-      refusal("kind = 'force'\nbody = 'amr'\nvector = [0, 0, 0]"),
+      load_refusal("kind = 'force'\nbody = 'amr'\nvector = [0, 0, 0]"),
       at(2) +
           "load 1: body: found the text \"amr\"; allowed: the name of a body, or ground: ground, cart, arm, buoy (did "
           "you mean arm?)");
   EXPECT_EQ(
-      refusal("kind = 'force'\npoint = 'tip'\nvector = [0, 0, 0]"),
+      load_refusal("kind = 'force'\npoint = 'tip'\nvector = [0, 0, 0]"),
       at(2) + "load 1: point: found the text \"tip\"; allowed: the name of one of [[point]] (this scene has none)");
-  EXPECT_THAT(refusal("kind = 'force'\npoint = 'tpi'\nvector = [0, 0, 0]\n[[point]]\nname = 'tip'\nbody = 'arm'"),
+  EXPECT_THAT(load_refusal("kind = 'force'\npoint = 'tpi'\nvector = [0, 0, 0]\n[[point]]\nname = 'tip'\nbody = 'arm'"),
               HasSubstr("the name of one of [[point]]: tip (did you mean tip?)"));
   EXPECT_EQ(
-      refusal("kind = 'joint'\ncoordinate = 'theta_am'\ndamping = 1"),
+      load_refusal("kind = 'joint'\ncoordinate = 'theta_am'\ndamping = 1"),
       at(2) +
           "load 1: coordinate: found the text \"theta_am\"; allowed: the name of an angle or translation: s_cart, "
           "theta_arm (did you mean theta_arm?)");
-  EXPECT_EQ(refusal("kind = 'joint'\ncoordinate = 'eps_buoy_1'\ndamping = 1"),
+  EXPECT_EQ(load_refusal("kind = 'joint'\ncoordinate = 'eps_buoy_1'\ndamping = 1"),
             at(2) +
                 "load 1: coordinate: found \"eps_buoy_1\", of an attitude; allowed: an angle or translation; on an "
                 "attitude a moment");
 }
 
 TEST(Load, whose_keys_do_not_fit_together_is_refused) {
-  EXPECT_EQ(refusal("kind = 'force'\nbody = 'ground'\nvector = [0, 0, 1]"),
+  EXPECT_EQ(load_refusal("kind = 'force'\nbody = 'ground'\nvector = [0, 0, 1]"),
             at(0) + "load 1: found a load on the inertial frame, which nothing moves; allowed: the name of a body");
   EXPECT_EQ(
-      refusal("kind = 'force'\nbody = 'arm'\nreaction = 'arm'\nvector = [0, 0, 1]"),
+      load_refusal("kind = 'force'\nbody = 'arm'\nreaction = 'arm'\nvector = [0, 0, 1]"),
       at(3) + "load 1: reaction: found the text \"arm\"; allowed: another body than the one that the load acts on");
-  EXPECT_EQ(refusal("kind = 'force'\nbody = 'arm'\npoint = 'tip'\nvector = [0, 0, 1]"),
+  EXPECT_EQ(load_refusal("kind = 'force'\nbody = 'arm'\npoint = 'tip'\nvector = [0, 0, 1]"),
             at(2) + "load 1: body: found a place beside point; allowed: point, or body and r");
   EXPECT_EQ(
-      refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'arm'\nstiffness = 1"),
+      load_refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'arm'\nstiffness = 1"),
       at(0) +
           "load 1: found a spring between two points of one body, which does nothing; allowed: points of two bodies");
-  EXPECT_EQ(refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'cart'"),
+  EXPECT_EQ(load_refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'cart'"),
             at(0) + "load 1: found a load without magnitude; allowed: stiffness or damping");
-  EXPECT_EQ(refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'cart'\nstiffness = 1\nrest = -0.1"),
+  EXPECT_EQ(load_refusal("kind = 'spring'\nbody = 'arm'\nother_body = 'cart'\nstiffness = 1\nrest = -0.1"),
             at(5) + "load 1: rest: found -0.1; allowed: a length: zero or positive");
-  EXPECT_EQ(refusal("kind = 'joint'\ncoordinate = 'theta_2'\nrest = 1"),
+  EXPECT_EQ(load_refusal("kind = 'joint'\ncoordinate = 'theta_2'\nrest = 1"),
             at(0) + "load 1: found a load without magnitude; allowed: effort, stiffness or damping");
-  EXPECT_EQ(refusal("kind = 'joint'\ncoordinate = 'theta_2'\nrest = 1\neffort = 2"),
+  EXPECT_EQ(load_refusal("kind = 'joint'\ncoordinate = 'theta_2'\nrest = 1\neffort = 2"),
             at(3) + "load 1: rest: found rest without stiffness; allowed: both, or neither");
   EXPECT_EQ(
-      refusal("kind = 'force'\nname = 'push'\nbody = 'arm'\nvector = [0, 0, 1]\naxes = 'inertail'"),
+      load_refusal("kind = 'force'\nname = 'push'\nbody = 'arm'\nvector = [0, 0, 1]\naxes = 'inertail'"),
       at(5) +
           "load 1 (push): axes: found the text \"inertail\"; allowed: inertial, body, lower (did you mean inertial?)");
 }
 
 TEST(Load, without_a_required_key_is_refused) {
   EXPECT_THAT(
-      refusal("kind = 'force'\nvector = [0, 0, 1]"),
+      load_refusal("kind = 'force'\nvector = [0, 0, 1]"),
       HasSubstr("load 1: body: found no such key, and it is required; allowed: the name of a body, or \"ground\", the "
                 "inertial frame (or point)"));
-  EXPECT_THAT(refusal("kind = 'force'\nbody = 'arm'"), HasSubstr("load 1: vector: found no such key"));
-  EXPECT_THAT(refusal("kind = 'moment'\nvector = [0, 0, 1]"), HasSubstr("load 1: body: found no such key"));
-  EXPECT_THAT(refusal("kind = 'joint'"), HasSubstr("load 1: coordinate: found no such key"));
-  EXPECT_THAT(refusal("kind = 'spring'\nbody = 'arm'\nstiffness = 1"),
+  EXPECT_THAT(load_refusal("kind = 'force'\nbody = 'arm'"), HasSubstr("load 1: vector: found no such key"));
+  EXPECT_THAT(load_refusal("kind = 'moment'\nvector = [0, 0, 1]"), HasSubstr("load 1: body: found no such key"));
+  EXPECT_THAT(load_refusal("kind = 'joint'"), HasSubstr("load 1: coordinate: found no such key"));
+  EXPECT_THAT(load_refusal("kind = 'spring'\nbody = 'arm'\nstiffness = 1"),
               HasSubstr("load 1: other_body: found no such key"));
 }
 

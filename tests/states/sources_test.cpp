@@ -77,7 +77,7 @@ TEST_F(States, of_a_trajectory) {
 TEST_F(States, of_csv_that_is_none_are_refused_by_line) {
   const std::string header = "theta_2,s_1,thetadot_2,sdot_1\n";
   refuses("a.csv", "", "a.csv: found nothing");
-  refuses("a.csv", "theta_2,s_1,thetadot_2\n1,2,3\n", "a.csv:1: found no column sdot_1");
+  refuses("a.csv", "theta_2,s_1,thetadot_2\n1,2,3\n", "a.csv:1: found no column sdot_cart");
   refuses("a.csv", "theta_2,s_1,thetadot_2,sdot_1,thta\n", "a.csv:1: column 5: found \"thta\"");
   refuses("a.csv", "theta_2,theta_pole,s_1,thetadot_2,sdot_1\n", "a.csv:1: column 2: found \"theta_pole\" twice");
   refuses("a.csv", header + "1,2,3,4\n1,2,3\n", "a.csv:3: found 3 numbers");
@@ -130,7 +130,7 @@ TEST_F(States, of_npy_that_do_not_fit_are_refused) {
 
 TEST_F(States, results_have_names_and_units) {
   EXPECT_THAT(result_names(result_layouts(scene, "accelerations")),
-              ElementsAre("thetaddot_2[rad/s^2]", "sddot_1[m/s^2]"));
+              ElementsAre("thetaddot_pole[rad/s^2]", "sddot_cart[m/s^2]"));
   EXPECT_THAT(result_names(result_layouts(scene, "mass_matrix")), ElementsAre("A_1_1", "A_1_2", "A_2_1", "A_2_2"));
   EXPECT_THAT(result_names(result_layouts(scene, "forcing+energy"))[2], "energy.kinetic[J]");
 }

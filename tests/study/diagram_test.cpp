@@ -1,5 +1,7 @@
 // The diagram of lines in a logarithmic plane. Oracle: what it must show by its own rules.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/study/report/diagram.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 #include <regex>
 
 #include "runtime/picture/svg.hpp"
-#include "runtime/study/report/diagram.hpp"
 
 namespace kanec::cli::test {
 namespace {

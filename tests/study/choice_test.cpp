@@ -1,12 +1,13 @@
 // What a report tells of runs. Oracle: runs made by hand, of which the answer is seen; rotations of known angles.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "runtime/study/report/choice.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "runtime/study/report/choice.hpp"
 #include "runtime/study/report/integration_text.hpp"
 
 namespace kanec::cli::test {

@@ -258,7 +258,7 @@ TEST(SceneText, reads_back_as_the_same_scene) {
   EXPECT_EQ(found.ensemble.count, 12);
   EXPECT_EQ(found.ensemble.seed, 3);
   ASSERT_EQ(found.ensemble.draws.size(), 2u);
-  EXPECT_EQ(found.ensemble.draws[1].name, "sdot_1_1");
+  EXPECT_EQ(found.ensemble.draws[1].name, "sdot_trunk_1");
   EXPECT_EQ(found.ensemble.draws[1].kind, scene::Draw::Kind::normal);
   EXPECT_EQ(found.ensemble.draws[0].a, -1.5);
   EXPECT_EQ(found.ensemble.draws[0].b, 2.5);
