@@ -1,7 +1,7 @@
 // kanec ledger: the operations of all functions of many scenes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/cli/commands.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "runtime/cli/scene_argument.hpp"
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/model/scene_files.hpp"
 #include "runtime/terminal/output.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "generator/scene/check.hpp"
+#include "generator/read/check.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/fit.hpp"

@@ -7,7 +7,7 @@
 
 #include "generator/choice/candidates.hpp"
 #include "generator/scene/place.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "generator/scene/states.hpp"
 #include "runtime/model/equations.hpp"
 #include "runtime/model/functions.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emit/grids.hpp"
-#include "generator/emit/tables.hpp"
+#include "generator/tables/grids.hpp"
+#include "generator/tables/tables.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "runtime/base/error.hpp"

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "generator/scene/joint_kind.hpp"
+#include "generator/read/joint_kind.hpp"
 #include "generator/scene/rotation.hpp"
 #include "runtime/base/fit.hpp"
 #include "runtime/base/text.hpp"

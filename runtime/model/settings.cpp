@@ -6,7 +6,7 @@
 #include "generator/scene/component.hpp"
 #include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/model/scene_text.hpp"

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/scene/eigenvalues.hpp"
+#include "generator/read/eigenvalues.hpp"
 
 namespace kanec {
 namespace {
 
 using scene::Number;
 
-// Far from the limits of generator/scene/check.cpp and node.cpp.
+// Far from the limits of generator/read/check.cpp and node.cpp.
 constexpr double least_mass = 1e-60, least_ratio_of_moments = 1e-6, largest = 1e50;
 
 bool is_sound(const scene::Body& body, std::span<const double> parameters) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/bench/relative_state.hpp"
 #include "runtime/verify/paths.hpp"
 #include "runtime/verify/samples.hpp"

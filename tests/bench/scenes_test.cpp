@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 namespace kanec::scene {
 namespace {

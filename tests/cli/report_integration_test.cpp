@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/study/report/integration.hpp"
 #include "runtime/study/report/reference.hpp"
 #include "tests/cli/program.hpp"

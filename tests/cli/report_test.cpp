@@ -1,7 +1,7 @@
 // Oracles: the counts of `kanec ledger`, the errors that `kanec check` finds in compiled code, and the generic path,
 // from which a way with a mistake would be 1e10 ulps away.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/study/report/evaluation.hpp"
 #include "runtime/study/report/ways.hpp"
 #include "runtime/verify/samples.hpp"

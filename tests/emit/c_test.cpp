@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "generator/program/ledger.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/both_languages.hpp"

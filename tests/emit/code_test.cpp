@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "generator/program/ledger.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/driver.hpp"
 #include "tests/emit/shipped.hpp"

@@ -6,7 +6,7 @@
 #include "generator/program/combined.hpp"
 #include "generator/program/derivative.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 namespace kanec::test {
 namespace {

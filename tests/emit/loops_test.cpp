@@ -5,7 +5,7 @@
 
 #include "generator/program/ledger.hpp"
 #include "generator/program/rolled.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/driver.hpp"
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "generator/scene/spelling.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/many_models.hpp"
 #include "tests/lower/trees.hpp"

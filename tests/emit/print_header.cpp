@@ -3,6 +3,6 @@
 #include <iostream>
 
 #include "generator/pipeline.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 int main(int, char** argv) { std::cout << kanec::generate(kanec::scene::read(argv[1])).header; }

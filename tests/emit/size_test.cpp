@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/base/folder.hpp"

@@ -12,7 +12,7 @@
 #include "generator/emit/section.hpp"
 #include "generator/emit/statements.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/emit/every_node.hpp"
 #include "tests/emit/shipped.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "generator/scene/parse_expression.hpp"
+#include "generator/read/parse_expression.hpp"
 #include "runtime/base/error.hpp"
 
 namespace {

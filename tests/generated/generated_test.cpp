@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "generator/pipeline.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/files.hpp"
 #include "tests/generated/difference.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "generator/pipeline.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/files.hpp"
 
 namespace kanec {

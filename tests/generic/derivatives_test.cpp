@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "tests/generic/sample.hpp"
 
 namespace kanec::generic {

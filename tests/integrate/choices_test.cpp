@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/scene/check.hpp"
+#include "generator/read/check.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/integrate/options.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/trajectory/batch_ensemble.hpp"
 #include "runtime/trajectory/simulate.hpp"

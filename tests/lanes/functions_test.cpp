@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "tests/lanes/compiled.hpp"
 
 namespace kanec::test {

@@ -10,7 +10,7 @@
 #include <map>
 #include <memory>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/model/model.hpp"
 #include "tests/lanes/compiled.hpp"
 

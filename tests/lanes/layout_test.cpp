@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "tests/lanes/compiled.hpp"
 

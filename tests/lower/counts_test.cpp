@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/program/ledger.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "tests/lower/sample.hpp"
 #include "tests/support/reference.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "generator/choice/candidates.hpp"
 #include "generator/program/ledger.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "tests/lower/sample.hpp"
 
 namespace kanec::test {

@@ -7,7 +7,7 @@
 
 #include "generator/pipeline.hpp"
 #include "generator/program/ledger.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "tests/lower/sample.hpp"
 

@@ -11,7 +11,7 @@
 #include "generator/choice/candidates.hpp"
 #include "generator/choice/comparison.hpp"
 #include "generator/program/passes.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/median.hpp"
 #include "runtime/verify/precise.hpp"
 #include "tests/lower/trees.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/model/result_layout.hpp"
 #include "runtime/model/state_file.hpp"

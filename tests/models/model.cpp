@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 namespace kanec::test {
 

@@ -58,9 +58,9 @@ class Values(unittest.TestCase):
         parts = model.poses.results[0].split(poses)
         self.assertEqual(list(parts), ["R_cart", "p_cart", "R_pole", "p_pole"])
         np.testing.assert_allclose(parts["R_pole"] @ parts["R_pole"].T, np.eye(3), atol=1e-15)
-        self.assertTrue(np.shares_memory(parts["R_2"], poses))
-        self.assertEqual(model.poses.results[0].split(np.zeros((7, 24)))["R_1"].shape, (7, 3, 3))
-        self.assertEqual(model["kinematics+accelerations"].results[1].parts[0].name, "thetaddot_2")
+        self.assertTrue(np.shares_memory(parts["R_pole"], poses))
+        self.assertEqual(model.poses.results[0].split(np.zeros((7, 24)))["R_cart"].shape, (7, 3, 3))
+        self.assertEqual(model["kinematics+accelerations"].results[1].parts[0].name, "thetaddot_pole")
         A = model.mass_matrix([0.3, 0.5])
         self.assertIs(model.mass_matrix.results[0].split(A)["A"], A)
         with self.assertRaises(kanec.InputError):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "generator/scene/eigenvalues.hpp"
+#include "generator/read/eigenvalues.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 namespace kanec::scene {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "generator/scene/expression_names.hpp"
+#include "generator/read/expression_names.hpp"
 #include "generator/scene/expression_value.hpp"
-#include "generator/scene/parse_expression.hpp"
+#include "generator/read/parse_expression.hpp"
 #include "tests/scene/snippets.hpp"
 
 namespace kanec::scene {

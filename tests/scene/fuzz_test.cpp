@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "generator/scene/expression_names.hpp"
-#include "generator/scene/parse_expression.hpp"
+#include "generator/read/expression_names.hpp"
+#include "generator/read/parse_expression.hpp"
 #include "runtime/base/files.hpp"
 #include "tests/scene/snippets.hpp"
 

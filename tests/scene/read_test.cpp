@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "generator/scene/joint_kind.hpp"
-#include "generator/scene/parse_expression.hpp"
+#include "generator/read/joint_kind.hpp"
+#include "generator/read/parse_expression.hpp"
 #include "runtime/base/files.hpp"
 #include "tests/scene/snippets.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "generator/scene/check.hpp"
+#include "generator/read/check.hpp"
 #include "tests/scene/snippets.hpp"
 
 namespace kanec::scene {

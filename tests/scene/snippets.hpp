@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 
 namespace kanec::scene {

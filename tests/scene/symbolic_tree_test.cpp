@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "generator/scene/eigenvalues.hpp"
+#include "generator/read/eigenvalues.hpp"
 #include "runtime/base/text.hpp"
 #include "tests/scene/snippets.hpp"
 

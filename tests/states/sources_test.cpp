@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/model/result_layout.hpp"

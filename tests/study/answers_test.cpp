@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/generic/evaluate.hpp"
 #include "runtime/study/hard/answer.hpp"
 #include "runtime/study/hard/extrapolation.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/scene/component.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/model/model.hpp"
 #include "runtime/run/needed_functions.hpp"

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/study/hard/answer.hpp"
 

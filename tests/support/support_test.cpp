@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <set>
 
-#include "generator/scene/expression_names.hpp"
+#include "generator/read/expression_names.hpp"
 #include "runtime/generic/expression.hpp"
 #include "tests/support/dual.hpp"
 #include "tests/support/random_scene.hpp"

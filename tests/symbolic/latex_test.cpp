@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "generator/emit/grids.hpp"
-#include "generator/emit/tables.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/tables/grids.hpp"
+#include "generator/tables/tables.hpp"
+#include "generator/read/read.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/emit/formula.hpp"
-#include "generator/emit/grids.hpp"
-#include "generator/emit/tables.hpp"
-#include "generator/scene/read.hpp"
+#include "generator/tables/formula.hpp"
+#include "generator/tables/grids.hpp"
+#include "generator/tables/tables.hpp"
+#include "generator/read/read.hpp"
 #include "generator/symbolic/derive.hpp"
 
 namespace kanec::emit {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/emit/tables.hpp"
+#include "generator/tables/tables.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "tests/symbolic/alphabet.hpp"
 #include "tests/symbolic/closed_forms.hpp"

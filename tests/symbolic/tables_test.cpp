@@ -1,6 +1,6 @@
 // The tables that are printed. Oracle: the source's tables of its six-body tree, typed in block by block.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/emit/tables.hpp"
+#include "generator/tables/tables.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 #include "generator/symbolic/derive.hpp"
 #include "tests/symbolic/sample_documents.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "generator/scene/read.hpp"
+#include "generator/read/read.hpp"
 
 namespace kanec::cli {
 namespace {

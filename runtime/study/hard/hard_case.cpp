@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "generator/scene/node.hpp"
-#include "generator/scene/parse_toml.hpp"
-#include "generator/scene/read.hpp"
-#include "generator/scene/read_simulation.hpp"
+#include "generator/read/node.hpp"
+#include "generator/read/parse_toml.hpp"
+#include "generator/read/read.hpp"
+#include "generator/read/read_simulation.hpp"
 #include "runtime/base/files.hpp"
 
 namespace kanec::hard {
