@@ -8,8 +8,8 @@
 
 #include "generator/read/joint_kind.hpp"
 #include "generator/read/node.hpp"
-#include "generator/scene/scene.hpp"
 #include "generator/read/symbols.hpp"
+#include "generator/scene/scene.hpp"
 
 namespace kanec::scene {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "generator/read/symbols.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/scene/scene.hpp"
-#include "generator/read/symbols.hpp"
 
 namespace kanec::scene {
 

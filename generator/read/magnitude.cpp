@@ -6,6 +6,7 @@
 
 #include "generator/read/expression_names.hpp"
 #include "generator/scene/expression_value.hpp"
+#include "runtime/base/text.hpp"
 
 namespace kanec::scene {
 
@@ -25,6 +26,13 @@ Number Magnitudes::number(const Node& node) {
     return Number::expression(static_cast<int>(scene_.expressions.size()) - 1);
   }
   return Number::constant(static_cast<double>(value(expression, {})));
+}
+
+Number Magnitudes::not_negative(const Node& node, const std::string& note) {
+  const Number read = number(node);
+  if (read.kind == Number::Kind::constant && read.value < 0)
+    scene_.notes.push_back(remark(node.place(), "found " + shortest(read.value) + ", " + note));
+  return read;
 }
 
 Vector Magnitudes::vector(const Node& node) {

@@ -6,8 +6,8 @@
 
 #include "generator/read/node.hpp"
 #include "generator/read/parse_expression.hpp"
-#include "generator/scene/scene.hpp"
 #include "generator/read/symbols.hpp"
+#include "generator/scene/scene.hpp"
 
 namespace kanec::scene {
 
@@ -19,6 +19,8 @@ class Magnitudes {
   // An expression of numbers alone becomes a constant. Both throw SceneError.
   Number number(const Node& node);
   Vector vector(const Node& node);
+  // A number that should not be negative; a note where it is one and is.
+  Number not_negative(const Node& node, const std::string& note);
 
  private:
   Scene& scene_;

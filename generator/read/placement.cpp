@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/scene/expression_value.hpp"
 #include "generator/read/parse_expression.hpp"
+#include "generator/scene/expression_value.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::scene {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/scene/entry_names.hpp"
 #include "generator/read/node.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "generator/scene/scene.hpp"
 
 namespace kanec::scene {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/scene/joint.hpp"
 #include "generator/read/joint_kind.hpp"
 #include "generator/read/node.hpp"
+#include "generator/scene/joint.hpp"
 
 namespace kanec::scene {
 

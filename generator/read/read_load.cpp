@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "generator/scene/component.hpp"
 #include "generator/read/read_point.hpp"
+#include "generator/scene/component.hpp"
 
 namespace kanec::scene {
 namespace {
@@ -41,8 +41,10 @@ void read_restoring(const Table& table, bool has_effort, Magnitudes& magnitudes,
   if (const auto rest = table.find("rest"); rest && !table.find("stiffness"))
     fail(rest->place(), "rest without stiffness", "both, or neither");
   if (has_effort) load.effort = number_or_zero(table, "effort", magnitudes);
-  load.stiffness = number_or_zero(table, "stiffness", magnitudes);
-  load.damping = number_or_zero(table, "damping", magnitudes);
+  if (const auto stiffness = table.find("stiffness"))
+    load.stiffness = magnitudes.not_negative(*stiffness, "a stiffness that drives away from rest");
+  if (const auto damping = table.find("damping"))
+    load.damping = magnitudes.not_negative(*damping, "a damping that feeds the motion");
   load.rest = number_or_zero(table, "rest", magnitudes);
 }
 

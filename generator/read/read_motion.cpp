@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "generator/scene/expression_value.hpp"
@@ -128,7 +129,15 @@ void read_initial(const Table& body_table, const JointKind& kind, Body& body, st
   read_numbers(table, "thetadot", body.joint.turns, &Coordinate::rate);
   read_numbers(table, "s", body.joint.slides, &Coordinate::value);
   read_numbers(table, "sdot", body.joint.slides, &Coordinate::rate);
-  if (const auto eps = table.find("eps")) normalise(body.initial.eps, eps->place(), notes);
+  const auto note = [&](const Node& found, const std::string& text) { notes.push_back(remark(found.place(), text)); };
+  for (const Coordinate& turn : body.joint.turns)
+    if (std::fabs(turn.value) > 2 * std::numbers::pi)
+      note(*table.find("theta"), "found " + shortest(turn.value) + ", more than a turn: angles are in rad");
+  const auto eps = table.find("eps");
+  if (!eps) return;
+  normalise(body.initial.eps, eps->place(), notes);
+  if (std::fabs(body.initial.eps[0]) == 1)
+    note(*eps, "half a turn about x: the scalar part is the last of the four, [0, 0, 0, 1] is no turn");
 }
 
 void read_motion(const Table& body_table, const JointKind& kind, int k, const std::vector<ExpressionName>& names,

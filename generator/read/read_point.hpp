@@ -5,8 +5,8 @@
 #include <string>
 
 #include "generator/read/node.hpp"
-#include "generator/scene/scene.hpp"
 #include "generator/read/symbols.hpp"
+#include "generator/scene/scene.hpp"
 
 namespace kanec::scene {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/tables/formula.hpp"
 #include "generator/scene/component.hpp"
 #include "generator/scene/expression_value.hpp"
 #include "generator/symbolic/loads.hpp"
+#include "generator/tables/formula.hpp"
 #include "runtime/base/text.hpp"
 
 namespace kanec::emit {

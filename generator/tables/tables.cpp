@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "generator/tables/formula.hpp"
 #include "generator/symbolic/factor.hpp"
 #include "generator/symbolic/kane.hpp"
+#include "generator/tables/formula.hpp"
 #include "runtime/base/error.hpp"
 
 namespace kanec::emit {

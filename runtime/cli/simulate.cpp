@@ -282,7 +282,7 @@ int simulate_scene(const SimulateArguments& options) {
   } catch (const Interrupted&) {
     tell_interruption(options, outputs);
   }
-  const Conservation conservation{is_isolated(scene), has_drives(scene)};
+  const Conservation conservation{is_isolated(scene), has_drives(scene), has_attitudes(scene)};
   const Json last = state_json(set, final_state(set, summary));
   outputs.finish(last);
   if (!options.json) {

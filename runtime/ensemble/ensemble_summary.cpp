@@ -55,7 +55,10 @@ void Spread::add(double value) {
 double Spread::deviation() const { return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1)); }
 
 EnsembleSummary::EnsembleSummary(const scene::Scene& scene, integrate::Options run)
-    : names_(in_words(scene, coordinate_names(scene))), driven_(has_drives(scene)), run_(run) {
+    : names_(in_words(scene, coordinate_names(scene))),
+      driven_(has_drives(scene)),
+      has_attitudes_(has_attitudes(scene)),
+      run_(run) {
   for (const std::string& name : in_words(scene, speed_names(scene))) names_.push_back(name);
   ends_.resize(names_.size());
 }
@@ -86,7 +89,7 @@ std::string EnsembleSummary::text() const {
   if (energy_error_.count() > 0 && !driven_)
     text += line("energy change minus work", fmt::format("at worst {} relative, {} on average",
                                                          brief(energy_error_.largest()), brief(energy_error_.mean())));
-  text += line("worst | |eps| - 1 |", brief(norm_error_) + " at the ends of steps");
+  if (has_attitudes_) text += line("worst | |eps| - 1 |", brief(norm_error_) + " at the ends of steps");
   if (names_.empty()) return text;
   std::vector<TextRow> rows = {{"  at the end", "mean", "deviation", "least", "largest"}};
   for (std::size_t i = 0; i < std::min(names_.size(), shown_names); ++i)

@@ -48,7 +48,7 @@ class EnsembleSummary {
   std::vector<Spread> ends_;  // of coordinates and speeds, finished scenarios
   Spread energy_error_;       // worst relative energy change minus work, of each
   double norm_error_ = 0.0;
-  bool driven_;
+  bool driven_, has_attitudes_;
   integrate::Options run_;
   std::string first_stop_;
 };

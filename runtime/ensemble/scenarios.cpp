@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "generator/read/read_ensemble.hpp"
 #include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
-#include "generator/read/read_ensemble.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/model/evaluate.hpp"

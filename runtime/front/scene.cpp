@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "generator/choice/candidates.hpp"
-#include "generator/scene/place.hpp"
 #include "generator/read/read.hpp"
+#include "generator/scene/place.hpp"
 #include "generator/scene/states.hpp"
 #include "runtime/model/equations.hpp"
 #include "runtime/model/functions.hpp"

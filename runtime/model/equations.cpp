@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "generator/tables/grids.hpp"
-#include "generator/tables/tables.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/symbolic/derive.hpp"
+#include "generator/tables/grids.hpp"
+#include "generator/tables/tables.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/text/json.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "generator/read/read.hpp"
 #include "generator/scene/component.hpp"
 #include "generator/scene/entry_names.hpp"
 #include "generator/scene/place.hpp"
-#include "generator/read/read.hpp"
 #include "runtime/base/error.hpp"
 #include "runtime/base/text.hpp"
 #include "runtime/model/scene_text.hpp"

@@ -42,6 +42,11 @@ bool has_drives(const scene::Scene& scene) {
   });
 }
 
+bool has_attitudes(const scene::Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const scene::Body& body) { return body.joint.ball && !body.joint.held; });
+}
+
 bool is_isolated(const scene::Scene& scene) {
   if (!is_zero(scene.gravity)) return false;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {

@@ -114,9 +114,10 @@ std::string summary_text(const Summary& summary, const integrate::Options& optio
     add_momentum(lines, "angular momentum changed by", "kg m^2/s", *summary.angular_momentum);
   if (summary.linear_momentum && !conservation.isolated)
     lines.add("", "(gravity, loads or joints act from outside: the momenta are not kept)");
-  lines.add("worst | |eps| - 1 |",
-            fmt::format("{} at the ends of steps, {} in the rows", brief(summary.worst_norm_error_before),
-                        brief(summary.worst_norm_error_after)));
+  if (conservation.attitudes)
+    lines.add("worst | |eps| - 1 |",
+              fmt::format("{} at the ends of steps, {} in the rows", brief(summary.worst_norm_error_before),
+                          brief(summary.worst_norm_error_after)));
   return lines.text();
 }
 

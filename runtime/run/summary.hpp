@@ -13,6 +13,7 @@ namespace kanec {
 struct Conservation {
   bool isolated = false;  // the momenta should be kept
   bool driven = false;    // energy change minus work is the work of prescribed coordinates, and no error
+  bool attitudes = true;  // there are Euler parameters, of unit norm
 };
 
 std::string summary_text(const Summary& summary, const integrate::Options& options, const Conservation& conservation);

@@ -39,6 +39,11 @@ std::vector<double> flat(const json& state) {
   return numbers;
 }
 
+TEST_F(Simulate, summary_tells_of_norms_where_there_are_attitudes_alone) {
+  EXPECT_THAT(kanec(run("six_body", {})).out, HasSubstr("worst | |eps| - 1 |"));
+  EXPECT_THAT(kanec(run("pendulum", {})).out, testing::Not(HasSubstr("|eps|")));
+}
+
 TEST_F(Simulate, energy_follows_the_work_and_the_summary_says_so) {
   const json summary = json_of(run("six_body", {"--json"}));
   EXPECT_EQ(summary.at("rows"), 5);

@@ -11,8 +11,8 @@
 
 #include "generator/pipeline.hpp"
 #include "generator/program/ledger.hpp"
-#include "generator/scene/entry_names.hpp"
 #include "generator/read/read.hpp"
+#include "generator/scene/entry_names.hpp"
 #include "runtime/abi/solver.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"

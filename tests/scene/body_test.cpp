@@ -134,6 +134,29 @@ TEST(InitialState, far_from_unit_norm_is_normalised_with_a_note) {
   EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
+TEST(InitialState, that_may_be_meant_otherwise_has_a_note) {
+  const auto notes = [](const std::string& joint, const std::string& initial) {
+    return parse(one_body(joint + "\n[body.initial]\n" + initial), "f").notes;
+  };
+  EXPECT_THAT(notes("", "eps = [1, 0, 0, 0]"),
+              ElementsAre("f:8: body 1: initial.eps: half a turn about x: the scalar part is the last of the four, "
+                          "[0, 0, 0, 1] is no turn"));
+  EXPECT_THAT(notes("joint = 'revolute'\naxis = 'x'", "theta = 90"),
+              ElementsAre("f:9: body 1: initial.theta: found 90, more than a turn: angles are in rad"));
+  EXPECT_THAT(notes("joint = 'revolute'\naxis = 'x'", "theta = -6.2"), IsEmpty());
+}
+
+TEST(JointLoad, that_drives_instead_of_holding_has_a_note) {
+  const auto notes = [](const std::string& load) {
+    return parse(one_body("joint = 'revolute'\naxis = 'x'\n" + load), "f").notes;
+  };
+  EXPECT_THAT(notes("stiffness = -5"),
+              ElementsAre("f:9: body 1: stiffness: found -5, a stiffness that drives away from rest"));
+  EXPECT_THAT(notes("damping = '-2*3'"),
+              ElementsAre("f:9: body 1: damping: found -6, a damping that feeds the motion"));
+  EXPECT_THAT(notes("stiffness = 5\ndamping = 0"), IsEmpty());
+}
+
 TEST(InitialState, near_to_unit_norm_is_normalised_without_a_note) {
   const Scene scene = parse(one_body("[body.initial]\neps = [0.5773503, 0.5773503, 0.5773503, 0]"), "f");
   // four roundings of half an ulp each leave the norm within 4 eps

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "generator/read/expression_names.hpp"
-#include "generator/scene/expression_value.hpp"
 #include "generator/read/parse_expression.hpp"
+#include "generator/scene/expression_value.hpp"
 #include "tests/scene/snippets.hpp"
 
 namespace kanec::scene {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "generator/scene/component.hpp"
 #include "generator/read/read.hpp"
+#include "generator/scene/component.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/model/model.hpp"
 #include "runtime/run/needed_functions.hpp"

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <string>
 
-#include "generator/tables/grids.hpp"
-#include "generator/tables/tables.hpp"
 #include "generator/read/read.hpp"
 #include "generator/symbolic/derive.hpp"
+#include "generator/tables/grids.hpp"
+#include "generator/tables/tables.hpp"
 #include "runtime/base/files.hpp"
 #include "runtime/base/process.hpp"
 #include "tests/base/folder.hpp"

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "generator/read/read.hpp"
+#include "generator/symbolic/derive.hpp"
 #include "generator/tables/formula.hpp"
 #include "generator/tables/grids.hpp"
 #include "generator/tables/tables.hpp"
-#include "generator/read/read.hpp"
-#include "generator/symbolic/derive.hpp"
 
 namespace kanec::emit {
 namespace {

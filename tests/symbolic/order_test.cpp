@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/tables/tables.hpp"
 #include "generator/symbolic/derive.hpp"
+#include "generator/tables/tables.hpp"
 #include "tests/symbolic/alphabet.hpp"
 #include "tests/symbolic/closed_forms.hpp"
 
