@@ -69,9 +69,9 @@ void check_order(const Simulation& simulation, const Place& place) {
 }  // namespace
 
 const std::vector<std::string>& simulation_integrators() {
-  static const std::vector<std::string> names = {"rk4",    "lie4",        "gauss4",         "gauss6",
-                                                 "arkode", "arkode_dirk", "cvode",          "cvode_bdf",
-                                                 "ida",    "taylor",      "taylor_extended"};
+  static const std::vector<std::string> names = {"rk4",       "lie4",   "gauss4",      "gauss6",
+                                                 "dop853",    "arkode", "arkode_dirk", "cvode",
+                                                 "cvode_bdf", "ida",    "taylor",      "taylor_extended"};
   return names;
 }
 

@@ -13,11 +13,12 @@
 namespace kanec::integrate {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 11> methods = {
+constexpr std::array<std::pair<std::string_view, Method>, 12> methods = {
     {{"rk4", Method::rk4},
      {"lie4", Method::lie4},
      {"gauss4", Method::gauss4},
      {"gauss6", Method::gauss6},
+     {"dop853", Method::dop853},
      {"arkode", Method::arkode},
      {"arkode_dirk", Method::arkode_dirk},
      {"cvode", Method::cvode},

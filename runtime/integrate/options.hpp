@@ -17,6 +17,7 @@ enum class Method {
   lie4,         // the same on the group of rotations, fixed step: attitudes turn by rotation vectors, none is projected
   gauss4,       // Gauss collocation of order 4, fixed step: keeps quadratic invariants, energy does not drift
   gauss6,       // the same of order 6
+  dop853,       // explicit Runge-Kutta pair of order 8, Dormand's and Prince's, error control; rows within its steps
   arkode,       // SUNDIALS ARKODE, explicit Runge-Kutta pair of order 4 to 8, error control
   arkode_dirk,  // the same, diagonally implicit of order 2 to 5, for stiff loads
   cvode,        // SUNDIALS CVODE, Adams-Moulton of order 1 to 12, error control

@@ -25,6 +25,8 @@ std::unique_ptr<Stepper> make_stepper(System& system, std::vector<double> z, con
     case Method::gauss4:
     case Method::gauss6:
       return make_gauss(system, std::move(z), options, book);
+    case Method::dop853:
+      return make_dop853(system, std::move(z), options, book);
     case Method::arkode:
       return make_arkode(system, std::move(z), options, book);
     case Method::arkode_dirk:

@@ -62,6 +62,7 @@ class Stepper {
 std::unique_ptr<Stepper> make_rk4(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_lie(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_gauss(System& system, std::vector<double> z, const Options& options, StepBook& book);
+std::unique_ptr<Stepper> make_dop853(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_arkode(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_dirk(System& system, std::vector<double> z, const Options& options, StepBook& book);
 std::unique_ptr<Stepper> make_cvode(System& system, std::vector<double> z, const Options& options, StepBook& book);

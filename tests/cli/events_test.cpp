@@ -53,7 +53,7 @@ TEST_F(Events, are_found_alike_by_all_integrators_and_in_the_json_summary) {
   EXPECT_EQ(expected[0].at("name"), "bottom");
   EXPECT_EQ(expected[0].at("direction"), "down");
   EXPECT_EQ(expected[1].at("name"), "turn");
-  for (const std::string integrator : {"rk4", "arkode", "cvode", "ida", "arkode_dirk", "taylor"}) {
+  for (const std::string integrator : {"rk4", "dop853", "arkode", "cvode", "ida", "arkode_dirk", "taylor"}) {
     const json found = json_of({"simulate", scene, "--json", "--integrator", integrator}).at("events");
     ASSERT_EQ(found.size(), expected.size()) << integrator;
     for (std::size_t i = 0; i < found.size(); ++i) {

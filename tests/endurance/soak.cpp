@@ -42,7 +42,7 @@ void append(Command& command, const Command& more) { command.insert(command.end(
 std::vector<Command> commands(Random& random, const scene::Scene& scene, bool is_triple) {
   constexpr std::array forms = {"speed", "size", "line", "loops"};
   constexpr std::array algorithms = {"articulated", "composite"};
-  constexpr std::array methods = {"rk4", "lie4", "gauss4", "gauss6", "arkode", "cvode", "taylor"};
+  constexpr std::array methods = {"rk4", "lie4", "gauss4", "gauss6", "dop853", "arkode", "cvode", "taylor"};
   const auto in_some_form = [&](Command command, int functions) {
     append(command,
            {"--functions", joined(random_functions(random, scene, functions)), "--optimize", one_of(random, forms)});

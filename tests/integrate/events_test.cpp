@@ -19,9 +19,9 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 const State start = {{1.0}, {0.0}};
-const std::vector<Method> methods = {Method::rk4,    Method::lie4,      Method::gauss4,
-                                     Method::gauss6, Method::arkode,    Method::arkode_dirk,
-                                     Method::cvode,  Method::cvode_bdf, Method::ida};
+const std::vector<Method> methods = {Method::rk4,       Method::lie4,   Method::gauss4,      Method::gauss6,
+                                     Method::dop853,    Method::arkode, Method::arkode_dirk, Method::cvode,
+                                     Method::cvode_bdf, Method::ida};
 
 Options with(Method method) {
   Options options;

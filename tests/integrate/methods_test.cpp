@@ -145,6 +145,36 @@ TEST(Arkode, keeps_the_tolerance_in_every_row) {
     }
 }
 
+// The error is controlled by an estimate of order 5, far above that of the result.
+TEST(Dop853, keeps_the_tolerance_in_every_row) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+    for (const double output_step : {0.01, 2.5}) {
+      Options options = with(Method::dop853, tolerance);
+      options.output_step = output_step;
+      EXPECT_LT(worst_error(options), tolerance) << tolerance << " " << output_step;
+    }
+}
+
+// Rows are values of a polynomial, and no steps end at them.
+TEST(Dop853, takes_the_same_steps_for_any_rows) {
+  Options fine = with(Method::dop853, 1e-9), coarse = fine;
+  fine.output_step = 1e-3;
+  coarse.output_step = 10.0;
+  const Summary a = run(single_body(), fine), b = run(single_body(), coarse);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+}
+
+TEST(Dop853, evaluates_twelve_times_a_step_and_three_more_for_rows) {
+  Options options = with(Method::dop853, 1e-9);
+  options.output_step = 10.0;
+  const Summary coarse = run(single_body(), options);
+  EXPECT_EQ(coarse.evaluations, 2 + 12 * coarse.steps + 11 * coarse.failed);
+  options.output_step = 1e-3;
+  EXPECT_EQ(run(single_body(), options).evaluations, coarse.evaluations + 3 * coarse.steps);
+}
+
 TEST(Arkode, keeps_the_tolerance_with_every_order) {
   for (const int order : {4, 5, 6, 8}) {
     Options options = with(Method::arkode, 1e-9);
@@ -227,7 +257,7 @@ TEST(Cvode, starts_anew_when_the_norm_has_drifted) {
 }
 
 TEST(Methods, report_the_drift_of_the_norm_and_remove_it) {
-  for (const Method method : {Method::rk4, Method::arkode, Method::cvode, Method::cvode_bdf}) {
+  for (const Method method : {Method::rk4, Method::dop853, Method::arkode, Method::cvode, Method::cvode_bdf}) {
     Options options = with(method, 1e-5);
     options.step = 0.1;
     options.output_step = 0.5;
@@ -251,6 +281,7 @@ void expect_conserved(const Summary& summary, double tolerance) {
 // 1e-11 is what the project promises; arkode keeps a hundredth of it here.
 TEST(SixBodies, keep_energy_and_momentum_at_the_tightest_tolerance) {
   expect_conserved(six_body_run(with(Method::arkode, 1e-13)), 1e-11);
+  expect_conserved(six_body_run(with(Method::dop853, 1e-13)), 1e-12);
   expect_conserved(six_body_run(with(Method::cvode, 1e-14)), 1e-11);
 }
 
@@ -260,8 +291,8 @@ TEST(SixBodies, come_out_the_same_by_all_methods) {
   fixed.step = 1e-3;
   Options on_group = fixed;
   on_group.method = Method::lie4;
-  for (const Options& options :
-       {fixed, on_group, with(Method::cvode, 1e-11), with(Method::cvode_bdf, 1e-11), with(Method::arkode_dirk, 1e-9)}) {
+  for (const Options& options : {fixed, on_group, with(Method::dop853, 1e-11), with(Method::cvode, 1e-11),
+                                 with(Method::cvode_bdf, 1e-11), with(Method::arkode_dirk, 1e-9)}) {
     const Summary summary = six_body_run(options);
     // the loosest is rk4: its error at this step, measured by halving it, is 1e-8
     EXPECT_LT(largest_difference({summary.x, summary.y}, {expected.x, expected.y}), 1e-7) << name_of(options.method);
@@ -274,8 +305,8 @@ Summary faulty_run(Method method) {
 }
 
 TEST(NotFinite, rate_stops_a_run_with_time_body_and_speed) {
-  for (const Method method :
-       {Method::rk4, Method::lie4, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf, Method::ida})
+  for (const Method method : {Method::rk4, Method::lie4, Method::dop853, Method::arkode, Method::arkode_dirk,
+                              Method::cvode, Method::cvode_bdf, Method::ida})
     EXPECT_THAT([&] { faulty_run(method); },
                 ThrowsMessage<IntegrationError>(
                     HasSubstr("integration stopped at t = 0.5 s: the rate of omega_3_2 is not finite")))
@@ -308,10 +339,11 @@ Summary run_over_the_end(Method method) {
 }
 
 TEST(Methods, stop_where_the_solution_ends) {
-  for (const Method method :
-       {Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf, Method::ida, Method::taylor}) {
-    const char* cause = method == Method::taylor ? "the rate of sdot_1_1 changes so fast that no step is short enough"
-                                                 : ": the step size has collapsed";
+  for (const Method method : {Method::dop853, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf,
+                              Method::ida, Method::taylor}) {
+    const char* cause = method == Method::taylor || method == Method::dop853
+                            ? "the rate of sdot_1_1 changes so fast that no step is short enough"
+                            : ": the step size has collapsed";
     EXPECT_THAT([&] { run_over_the_end(method); },
                 ThrowsMessage<IntegrationError>(
                     AllOf(AnyOf(HasSubstr("t = 1.0000"), HasSubstr("t = 0.9999")), HasSubstr(cause))))

@@ -22,8 +22,8 @@ Summary run(Calls calls, const Options& options) {
 }
 
 TEST(Mixed, joints_follow_their_closed_forms_in_every_method) {
-  for (const Method method :
-       {Method::rk4, Method::lie4, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf}) {
+  for (const Method method : {Method::rk4, Method::lie4, Method::dop853, Method::arkode, Method::arkode_dirk,
+                              Method::cvode, Method::cvode_bdf}) {
     const Summary summary = run(Calls::separate, with(method));
     // thousands of BDF steps of 1e-9 each; the others stay below 1e-7
     const double bound = method == Method::cvode_bdf ? 1e-5 : 1e-7;
@@ -56,8 +56,8 @@ TEST(Mixed, angles_are_not_normalised) {
 }
 
 TEST(Motionless, models_can_be_run) {
-  for (const Method method :
-       {Method::rk4, Method::lie4, Method::arkode, Method::arkode_dirk, Method::cvode, Method::cvode_bdf}) {
+  for (const Method method : {Method::rk4, Method::lie4, Method::dop853, Method::arkode, Method::arkode_dirk,
+                              Method::cvode, Method::cvode_bdf}) {
     const Summary summary = simulate(Solver(motionless_model()), {}, {}, with(method));
     EXPECT_EQ(summary.rows, 21) << name_of(method);
     EXPECT_TRUE(summary.x.empty());

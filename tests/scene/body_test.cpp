@@ -151,9 +151,9 @@ TEST(JointLoad, that_drives_instead_of_holding_has_a_note) {
     return parse(one_body("joint = 'revolute'\naxis = 'x'\n" + load), "f").notes;
   };
   EXPECT_THAT(notes("stiffness = -5"),
-              ElementsAre("f:9: body 1: stiffness: found -5, a stiffness that drives away from rest"));
+              ElementsAre("f:8: body 1: stiffness: found -5, a stiffness that drives away from rest"));
   EXPECT_THAT(notes("damping = '-2*3'"),
-              ElementsAre("f:9: body 1: damping: found -6, a damping that feeds the motion"));
+              ElementsAre("f:8: body 1: damping: found -6, a damping that feeds the motion"));
   EXPECT_THAT(notes("stiffness = 5\ndamping = 0"), IsEmpty());
 }
 
