@@ -45,7 +45,7 @@ struct Body {
 struct Simulation {
   double duration = 10.0;             // [s]
   double output_step = 0.01;          // between rows of the trajectory [s]
-  std::string integrator = "arkode";  // check.hpp has all
+  std::string integrator = "dop853";  // check.hpp has all
   double step = 0.001;                // of those with fixed steps [s]
   double relative_tolerance = 1e-9;   // of the others
   double longest_step = 0.0;          // of these [s]; 0: as long as the error allows

@@ -56,7 +56,7 @@ def main():
              'name = "random_12"', f"connection = {connection}", "gravity = [0.0, 0.0, -9.81]"]
     for k in range(1, bodies + 1):
         lines += body(k)
-    lines += ["", "[simulate]", "duration = 10.0", "output_step = 0.01", 'integrator = "arkode"',
+    lines += ["", "[simulate]", "duration = 10.0", "output_step = 0.01", 'integrator = "dop853"',
               "relative_tolerance = 1e-9", "absolute_tolerance = 1e-12"]
     print("\n".join(lines))
 

@@ -36,7 +36,7 @@ enum class JacobianChoice {
 };
 
 struct Options {
-  Method method = Method::arkode;
+  Method method = Method::dop853;
   double start = 0.0;         // [s]
   double work = 0.0;          // of the applied loads before the start [J]
   double duration = 10.0;     // where the run ends, from t = 0 [s]

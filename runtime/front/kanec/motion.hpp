@@ -29,7 +29,7 @@ struct WatchedEvent {
 struct Run {
   double duration = 10.0;     // [s]
   double output_step = 0.01;  // between rows [s]
-  std::string integrator = "arkode";
+  std::string integrator = "dop853";
   double step = 1e-3;         // of those with fixed steps, the longest [s]
   double longest_step = 0.0;  // of those with error control [s]; 0: as long as the error allows
   double relative_tolerance = 1e-9;
@@ -75,7 +75,7 @@ struct Motion {
 KANEC_API std::vector<std::string> functions_to_simulate(const Run& run, bool has_power, int nx);
 // Whether the model has to be compiled with its Taylor series.
 KANEC_API bool needs_taylor(const Run& run);
-// "arkode", "taylor", and so on.
+// "dop853", "taylor", and so on.
 KANEC_API std::vector<std::string> integrators();
 
 // Called after every step with the share that is done; what it throws ends the run.

@@ -27,7 +27,7 @@ struct Family {
 // The best first: each is taken where those before it fail.
 constexpr std::array<Family, 5> families = {{{Method::taylor_extended, 3},
                                              {Method::gauss6, 12},
-                                             {Method::arkode, 3},
+                                             {Method::dop853, 3},
                                              {Method::cvode, 3},
                                              {Method::cvode_bdf, 3}}};
 
