@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "kanec/scene.hpp"
 
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "generator/read/read.hpp"
 #include "generator/scene/place.hpp"
 #include "generator/scene/states.hpp"
+#include "runtime/base/text.hpp"
 #include "runtime/model/equations.hpp"
 #include "runtime/model/functions.hpp"
 #include "runtime/model/model.hpp"
@@ -211,6 +213,8 @@ Run Scene::run() const {
 Scene Scene::with(const std::vector<Quantity>& values) const {
   scene::Scene set = data_->scene;
   for (const Quantity& quantity : values) {
+    if (!std::isfinite(quantity.value))
+      throw InputError(quantity.name + ": found " + shortest(quantity.value) + "; allowed: a finite number");
     std::vector<std::string> names;
     bool found = false;
     for (auto* list : {&set.parameters, &set.inputs})

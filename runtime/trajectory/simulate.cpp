@@ -33,14 +33,17 @@ void require_finite(const System& system, double t, std::span<const double> z) {
 // One run, from row to row, through its events.
 class Run {
  public:
-  Run(Solver& solver, System& system, Stepper& stepper, const Options& options, const Observer& observer)
+  Run(Solver& solver, System& system, Stepper& stepper, const StepBook& book, const Options& options,
+      const Observer& observer)
       : solver_(solver),
         system_(system),
         stepper_(stepper),
+        book_(book),
         options_(options),
         observer_(observer),
         balance_(solver),
-        seen_(options.start) {
+        seen_(options.start),
+        looked_at_(options.start) {
     if (!options.events.empty()) watch_.emplace(solver, options.events);
   }
 
@@ -63,13 +66,36 @@ class Run {
   // False where an event stops the run before or there.
   bool reach(double t) {
     while (seen_ < t) {
-      if (stepper_.time() <= seen_) stepper_.step(t);
+      if (stepper_.time() <= seen_) {
+        stepper_.step(t);
+        require_progress();
+      }
       const double end = std::min(stepper_.time(), t);
       const std::optional<double> event = watch_ ? watch_->next(stepper_, seen_, end) : std::nullopt;
       seen_ = event.value_or(end);
       if (event && !happen(*event, t)) return false;
     }
     return true;
+  }
+
+  // Where a load switches back and forth, or is stiff, steps may become so short that the end is never reached.
+  void require_progress() {
+    constexpr std::int64_t between_looks = 100'000;
+    constexpr double least_part = 1e-6;  // of what is left
+    const std::int64_t tried = book_.steps + book_.failed;
+    if (tried < next_look_) return;
+    const double t = stepper_.time(), gone = t - looked_at_;
+    if (next_look_ > between_looks && gone < least_part * (options_.duration - t)) {
+      const std::span<const double> state = stepper_.at(t);
+      const std::vector<double> z(state.begin(), state.end());
+      throw IntegrationError(
+          "integration stopped at t = " + shortest(t) + " s: the last " + std::to_string(between_looks) +
+          " steps, those tried again among them, went " + shortest(gone) + " s; what changes fastest there is " +
+          system_.fastest(t, z.data()) +
+          ": a load that switches back and forth, or a stiff one (cvode_bdf and arkode_dirk are for these)");
+    }
+    looked_at_ = t;
+    next_look_ = tried + between_looks;
   }
 
   bool happen(double t, double next_row) {
@@ -119,13 +145,16 @@ class Run {
   }
 
   Solver& solver_;
-  const System& system_;
+  System& system_;
   Stepper& stepper_;
+  const StepBook& book_;
   const Options& options_;
   const Observer& observer_;
   Balance balance_;
   std::optional<EventWatch> watch_;
-  double seen_;  // until here nothing is missed
+  double seen_;       // until here nothing is missed
+  double looked_at_;  // the time at the last look at the pace, and the step of the next one
+  std::int64_t next_look_ = 100'000;
   Summary summary_;
 };
 
@@ -139,7 +168,7 @@ Summary simulate(const Solver& solver, std::span<const double> x, std::span<cons
   System system(own);
   StepBook book(options.max_steps, at_time(options, progress));
   const auto stepper = make_stepper(system, system.initial_state(x, y, options.work), options, book);
-  Summary summary = Run(own, system, *stepper, options, observer).summary();
+  Summary summary = Run(own, system, *stepper, book, options, observer).summary();
   summary.steps = book.steps;
   summary.failed = book.failed;
   summary.restarts = book.restarts;

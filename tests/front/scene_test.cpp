@@ -44,6 +44,10 @@ TEST(FrontScene, reads_and_refuses_as_the_command_does) {
   EXPECT_THAT(refusal<InputError>([] { shipped("cart_pole").results("acelerations"); }),
               HasSubstr("did you mean accelerations?"));
   EXPECT_THAT(refusal<InputError>([] { shipped("cart_pole").with({{"pusch", 1}}); }), HasSubstr("did you mean push?"));
+  EXPECT_THAT(refusal<InputError>([] {
+                shipped("cart_pole").with({{"push", NAN}});
+              }),
+              HasSubstr("push: found nan; allowed: a finite number"));
   EXPECT_THROW(Scene::tree({0, 3}), SceneError);
 }
 

@@ -2,6 +2,8 @@
 // Oracle: closed forms for the block and the wave; for the floors a small-step integration from piece to piece (SciPy's
 // DOP853 at 1e-12).
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+
 #include <cmath>
 
 #include "tests/front/bench.hpp"
@@ -44,6 +46,31 @@ TEST_P(SwitchingLoads, are_integrated_to_a_hundred_tolerances_for_any_rows) {
     const double allowed = 100 * run.relative_tolerance;
     EXPECT_NEAR(motion.x_at(last)[0], GetParam().right_s, allowed) << output_step;
     EXPECT_NEAR(motion.y_at(last)[0], GetParam().right_sdot, allowed) << output_step;
+  }
+}
+
+// Friction without a slope at rest: the block stops at 10/3 s, and the load switches there for ever.
+TEST(SwitchingLoad, that_no_step_gets_past_is_told) {
+  const Scene scene = Scene::parse(R"toml(
+name = "chatter"
+connection = [0]
+[[body]]
+name = "block"
+joint = "prismatic"
+axis = "x"
+mass = 1
+inertia = [0, 0, 0]
+effort = "-0.3*sdot_block/abs(sdot_block)"
+initial = {sdot = 1.0}
+[simulate]
+duration = 5.0
+)toml");
+  for (const char* integrator : {"dop853", "arkode", "cvode_bdf", "ida"}) {
+    auto run = scene.run();
+    run.integrator = integrator;
+    const std::string said = refusal<IntegrationError>([&] { scene.simulate(run, shared_cache()); });
+    EXPECT_THAT(said, testing::StartsWith("integration stopped at t = 3.33333")) << integrator;
+    EXPECT_THAT(said, testing::HasSubstr("sdot_block: a load that switches back and forth")) << integrator;
   }
 }
 
