@@ -20,7 +20,10 @@ class Partials {
     const Ref reciprocal = fold::is(b_, ref(op.a), 1) ? value_ : fold::quotient(b_, number(1), ref(op.b));
     return operand_ == 0 ? reciprocal : -fold::product(b_, value_, reciprocal);
   }
-  Ref operator()(const SquareRoot&) { return fold::quotient(b_, number(0.5), value_); }
+  Ref operator()(const SquareRoot& op) {
+    if (!is_sum_of_squares(op.a)) return fold::quotient(b_, number(0.5), value_);
+    return fold::quotient(b_, where_positive(value_, number(0.5), 0), where_positive(value_, value_, 1));
+  }
   Ref operator()(const Sine& op) { return fold::cosine(b_, ref(op.a)); }
   Ref operator()(const Cosine& op) { return -fold::sine(b_, ref(op.a)); }
   Ref operator()(const UnaryCall& op) { return of(op.function, ref(op.a)); }
@@ -63,11 +66,33 @@ class Partials {
         return operand_ == 0 ? zero_where(a, b) : one_where(a, b);
       case Binary::pow: {
         if (operand_ == 1) return fold::product(b_, value_, fold::call(b_, Unary::log, a));
-        return fold::product(b_, b, fold::call(b_, Binary::pow, a, fold::sum(b_, b, number(-1))));
+        const Ref exponent = fold::sum(b_, b, number(-1));
+        if (!has_a_limit_at_zero(a, b)) return fold::product(b_, b, fold::call(b_, Binary::pow, a, exponent));
+        const Ref power = fold::call(b_, Binary::pow, where_positive(a, a, 1), exponent);
+        return fold::product(b_, where_positive(a, b, 0), power);
       }
     }
     return {};
   }
+
+  // Where the length of a vector is zero it has no derivative, but what it is a factor of may, as |v| v: there its
+  // rates, 0/0, are 0. Of other roots and powers they are infinite.
+  bool is_sum_of_squares(Index at) const {
+    return std::visit(Overloaded{[](const Multiply& op) { return op.a == op.b; },
+                                 [&](const Add& op) { return is_sum_of_squares(op.a) && is_sum_of_squares(op.b); },
+                                 [&](const BinaryCall& op) {
+                                   const auto exponent = fold::value(b_, ref(op.b));
+                                   return op.function == Binary::pow && exponent && exponent->high == 2;
+                                 },
+                                 [](const auto&) { return false; }},
+                      b_.nodes()[static_cast<std::size_t>(at)]);
+  }
+  bool has_a_limit_at_zero(Ref a, Ref b) const {
+    const auto exponent = fold::value(b_, b);
+    return exponent && exponent->high > 0 && exponent->high < 1 && !a.negative && is_sum_of_squares(a.node);
+  }
+  // `otherwise` where a, which is not negative, is 0.
+  Ref where_positive(Ref a, Ref value, double otherwise) { return fold::select(b_, -a, value, number(otherwise)); }
 
   // 1 and 0, or 0 and 1, where a < b and elsewhere.
   Ref one_where(Ref a, Ref b) { return fold::select(b_, fold::sum(b_, a, -b), number(1), number(0)); }

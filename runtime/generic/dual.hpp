@@ -66,6 +66,7 @@ struct Dual {
   friend Dual sqrt(const Dual& a) {
     using std::sqrt;
     const Real root = sqrt(a.value);
+    if (is_exactly_zero(a.rate)) return {root, Real(0)};  // also of a length that is 0
     return {root, a.rate / (Real(2) * root)};
   }
   friend Dual exp(const Dual& a) {

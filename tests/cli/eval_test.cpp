@@ -73,6 +73,25 @@ TEST_F(Eval, matrices_come_with_the_names_of_their_rows_and_columns) {
   EXPECT_EQ(v_y.at("v_tool").at(0).size(), 36u);
 }
 
+// d/dv of -|v| v is -2 |v|, and of its components -|v| - v v'/|v|: zero at rest, by every path.
+TEST_F(Eval, rates_of_lengths_that_are_zero_are_zero) {
+  const std::string head = "name = 'drag'\nconnection = [0]\n[[body]]\nname = 'm'\nmass = 2\ninertia = [1, 1, 1]\n";
+  const std::string slide = head + "joint = 'prismatic'\naxis = 'x'\neffort = ";
+  const std::string length = "-sqrt(sdot_m_1^2 + sdot_m_2^2 + sdot_m_3^2)";
+  const std::string three = head + "joint = 'cartesian'\nforce = ['" + length + "*sdot_m_1', '" + length +
+                            "*sdot_m_2', '" + length + "*sdot_m_3']\n";
+  for (const std::string& scene : {slide + "'-sqrt(sdot_m^2)*sdot_m'", slide + "'-(sdot_m^2)^0.5*sdot_m'", three}) {
+    write("drag.toml", scene);
+    for (const char* path : {"emitted", "generic", "precise"}) {
+      const json state = json_of({"eval", "drag.toml", "accelerations_y", "--template"});
+      const json result =
+          json_of({"eval", "drag.toml", "accelerations_y", "--input", "-", "--path", path, "--json"}, state.dump());
+      for (const json& row : result.at("result").at("accelerations_y").at("ydot_y"))
+        for (const json& entry : row) EXPECT_EQ(entry, 0.0) << path << "\n" << scene;
+    }
+  }
+}
+
 TEST_F(Eval, residual_of_the_accelerations_is_zero) {
   json state = template_of("six_body", "residual");
   const json force = result("six_body", "residual", "precise", state).at("r");  // ydot is zero there: r = -f
